@@ -43,11 +43,11 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
     sub.add_argument(
         "--splits", type=int, default=1, metavar="NUMBER",
-        help="number of random splits into halves; fifty or more for a result to rely on (default: 1)",
+        help="random splits into halves, a whole number > 0; fifty or more to rely on (default: 1)",
     )  # fmt: skip
     sub.add_argument(
         "--workers", type=int, default=1, metavar="NUMBER",
-        help="number of processes, or -1 for one on each core (default: 1)",
+        help="number of cores, a whole number > 0, or -1 for all (default: 1)",
     )  # fmt: skip
     sub.add_argument(
         "-o", "--output", type=Path, metavar="COMPARISON.nc",

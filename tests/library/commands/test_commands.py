@@ -60,7 +60,7 @@ def test_every_option_says_what_it_does_its_range_and_its_default(name, action):
     assert len(said) >= len("bash or zsh")
     if action.type in (int, float):
         assert re.search(
-            r"degrees|units|unit |per time|frames|instants|tolerance|points|cores|\bport\b|\bseed\b",
+            r"degrees|units|unit |per time|frames|instants|tolerance|points|cores|splits|\bport\b|\bseed\b",
             said,
         )
         assert re.search(

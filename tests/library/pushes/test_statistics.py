@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from planar_pushing.pushes.fit.statistics import QUANTITIES, REFERENCE, VARIABLES, statistics
+from planar_pushing.pushes.fit.scores import QUANTITIES, REFERENCE
+from planar_pushing.pushes.fit.statistics import VARIABLES, statistics
 
 MODELS = ["good", "none", REFERENCE]
 

@@ -153,12 +153,14 @@ def fitted_quartic(pushes: Measured) -> tuple[Quartic, float] | None:
 def quartic_tensor(wrenches: Array, twists: Array) -> Array:
     """Tensor of the convex quartic that fits wrenches and twists, shape (n, 3) each, best.
 
-    Equal pushes, as in a resample, are in the same part in cross-validation.
+    Equal pushes, as in a resample, are in the same part in cross-validation, if there are enough others.
     """
     equations = Equations.of(wrenches, twists)
     _, first = np.unique(np.column_stack([wrenches, twists]), axis=0, return_index=True)
     first, same = np.sort(first), (wrenches[:, None] == wrenches) & (twists[:, None] == twists)
     fold = np.searchsorted(first, same.all(axis=2).argmax(axis=1)) % FOLDS
+    if len(first) < FOLDS:
+        fold = np.arange(len(wrenches)) % FOLDS
 
     def error(weights: tuple[float, float]) -> float:
         parts = [

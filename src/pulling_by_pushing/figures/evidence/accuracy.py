@@ -52,7 +52,7 @@ ROWS = ((0.6, 0.885), (0.095, 0.425))
 LABELS = {
     "closed form": (Label(0, "closed form", (-8, 9)),),
     "ellipsoid": (Label(0, "ellipsoid", (7, -6)),),
-    "brentq on quad": (Label(0, "brentq on quad", (6, 9), "right"),
+    "brentq on quad": (Label(2, "brentq on quad", (-7, 0), "right"),
                        Label(0, "tolerance {}", (-7, 0), "right"), Label(-1, "{}", (-7, 0), "right")),
     "event-driven": (Label(0, "tolerance {}", (-7, 0), "right"), Label(-1, "{}", (-7, 0), "right"),
                      Label(0, "event-driven", (-7, 9), "right")),

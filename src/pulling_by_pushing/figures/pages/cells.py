@@ -30,16 +30,23 @@ class Shown(NamedTuple):
 
 
 def run_cells(cells: list[str], results: Path) -> Iterator[Shown]:
-    """Run cells in their order, in a folder that holds the results, and yield what each shows."""
+    """Run cells in their order, in a folder that holds the results, and yield what each shows.
+
+    Open figures, which would count as those of the first cell, are closed.
+    """
+    import matplotlib.pyplot as plt
     import pandas as pd
 
     names: dict[str, Any] = {}
     with (
         tempfile.TemporaryDirectory() as folder,
-        mpl.rc_context(fname=STYLE_SHEET),
+        mpl.rc_context(),
         pd.option_context("display.width", WIDTH),
     ):
+        mpl.rcdefaults()
+        mpl.rc_file(STYLE_SHEET)
         mpl.use("agg")
+        plt.close("all")
         Path(folder, "results").symlink_to(results.resolve())
         for code in cells:
             with _working_in(folder):
