@@ -170,7 +170,7 @@ def effect_names(scene: Scene) -> list[str]:
 
 
 def _row(runs: Runs, index: int, tolerance: float) -> dict[str, Any]:
-    """What an effect is, and what it changes."""
+    """An effect, and the change that it makes."""
     scene, pusher = runs.pushes[0]
     kept = tuple(i for i in runs.full if i != index)
     logs, changes = runs.of(kept), runs.changes(kept)

@@ -36,7 +36,7 @@ class Verdict(StrEnum):
 
 
 class Means(StrEnum):
-    """What a program does to check the argument of a claim."""
+    """Work of a program that checks the argument of a claim."""
 
     #: Polynomials vanish in normal form.
     IDENTITIES = "identities"

@@ -23,7 +23,7 @@ WIDTH = 110
 
 
 class Shown(NamedTuple):
-    """What a cell shows: its text, and its pictures."""
+    """Output of a cell: its text and its pictures."""
 
     text: str
     pictures: tuple[Image.Image, ...]
