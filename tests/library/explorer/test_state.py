@@ -119,8 +119,8 @@ def study():
     return load_study(WORKFLOW / "config/paper.yaml")
 
 
-#: Example scenes that are no presets: one on which accuracy is measured, and one of a disc at two places.
-OTHERS = {"turning_fence", "tee_in_its_corner"}
+#: Example scenes that are no presets: of an accuracy study, of the first page, and of a disc at two places.
+OTHERS = {"turning_fence", "steep_retreat", "tee_in_its_corner"}
 EXAMPLES = {path.stem: path for path in sorted((WORKFLOW / "scenes").glob("*.yaml"))}
 
 
