@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,13 @@ from planar_pushing.scenes.files import (
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.simulation.early_end import quietly, warn_of_early_end
 from planar_pushing.terms.domain import ROTATION
-from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_kind, require_path
+from planar_pushing.terms.errors import (
+    InvalidFile,
+    InvalidValue,
+    require_kind,
+    require_number,
+    require_path,
+)
 from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.replacing import PathLike
 from planar_pushing.terms.units import Units
@@ -148,6 +155,11 @@ def _entry_of_contact(contact: Contact) -> dict[str, Any]:
             content[name] = _numbers(name, value)
     if contact.side is not None:
         content["side"] = int(contact.side)
+    if contact.grip_force is not None:
+        content["grip_force"] = require_number(
+            "grip_force", contact.grip_force, math.isfinite, "a single number",
+            "save one problem at a time",
+        )  # fmt: skip
     if contact.twist is not None:
         v_x, v_y, omega = _numbers("twist", contact.twist)
         content["twist"] = {"v_x": v_x, "v_y": v_y, "omega": ROTATION.to_file(omega)}

@@ -48,6 +48,8 @@ class TouchEntry(FileModel):
 
     With an outline, the normal can be omitted unless the contact is at a corner; at an inner corner, a
     contact without a normal is one with each side. Without a velocity or a twist, the contact is at rest.
+    With a grip force, it is a finger of a gripper that presses with this force and follows the object along
+    the normal.
     """
 
     point: Point | None = None
@@ -55,14 +57,16 @@ class TouchEntry(FileModel):
     side: SideNumber | None = None
     velocity: Annotated[Any, VELOCITY] | None = None
     twist: PalmEntry | None = None
+    grip_force: Positive | None = None
 
     def build(self) -> Contact:
         """The contact with its law."""
         law: Any = super().build()  # type: ignore[misc]
         twist = self.twist and (self.twist.v_x, self.twist.v_y, math.radians(self.twist.omega))
         return Contact(
-            self.point, self.normal, law=law, side=self.side, velocity=self.velocity, twist=twist
-        )
+            self.point, self.normal, law=law, side=self.side, velocity=self.velocity, twist=twist,
+            grip_force=self.grip_force,
+        )  # fmt: skip
 
 
 def _touch_entry() -> Any:
@@ -171,13 +175,18 @@ class ContactsFile(FileModel):
                 "object.outline", None, "an outline with the section simulate", "give the outline"
             )
         for number, entry in enumerate(self.contacts):
-            for name in ("velocity", "twist"):
+            for name in ("velocity", "twist", "grip_force"):
                 if (value := getattr(entry, name)) is not None:
-                    given = value if name == "velocity" else value.model_dump()
+                    given = value.model_dump() if name == "twist" else value
+                    remedy = "leave it out: the pusher of the contact moves it"
+                    if name == "grip_force":
+                        remedy = "leave it out: a grip force is for one instant"
                     raise InvalidValue(
-                        f"contacts[{number}].{name}", given, "none with the section simulate",
-                        "leave it out: the pusher of the contact moves it",
-                    )  # fmt: skip
+                        f"contacts[{number}].{name}",
+                        given,
+                        "none with the section simulate",
+                        remedy,
+                    )
         for number, effect in enumerate(self.effects):
             if EFFECTS[effect.type].kind == EffectKind.INERTIA:
                 raise InvalidValue(

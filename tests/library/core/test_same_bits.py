@@ -164,5 +164,5 @@ def test_every_kernel_is_compared():
         "unit_vectors", "moments", "plate_terms", "plate_loads",
         "measure_supports", "store_pressures", "ring_profiles", "ring_spin_ratios",
         "polygon_area", "crossing_edges", "touching_edges", "stretches_of_pieces",
-        "run_events", "run_steps", "solve_contacts",
+        "run_events", "run_steps", "solve_contacts", "solve_gripped",
     }  # fmt: skip

@@ -304,21 +304,28 @@ def solve_contacts(
             contact = SeveralRow(row[first + CONTACT_ROW * k :])
             write_frame(contact, ContactFrame(frames[CONTACT_FRAME * k :]))
         several = several_at(read_effects(data, row), contacts, frames)
-        number = all_solutions(several, solutions)
-        head = SeveralResults(result)
-        for k in range(HEAD_OF_SEVERAL, width):
-            result[k] = UNKNOWN
-        head.count, head.status, head.reason = number, CONSISTENT, NO_REASON
-        if number < 0 or HEAD_OF_SEVERAL + SEVERAL_SOLUTION * number > width:
-            head.count, head.status = 0, NOT_SOLVED
-            continue
+        number = write_solutions(solutions, all_solutions(several, solutions), result, width)
         if number == 0:
-            head.status, head.reason = NONE, reason_without_solution(several)
-        for j in range(number):
-            solution = SeveralSolution(solutions[SEVERAL_SOLUTION * j :])
-            if solution.continuum:
-                head.status = CONTINUA
-            elif solution.pivot >= 0 and head.status == CONSISTENT:
-                head.status = PIVOTS
-            for m in range(SEVERAL_SOLUTION):
-                result[HEAD_OF_SEVERAL + SEVERAL_SOLUTION * j + m] = solution[m]
+            SeveralResults(result).reason = reason_without_solution(several)
+
+
+def write_solutions(solutions: Numbers, number: int, result: Numbers, width: int) -> int:
+    """Write a row of results, with all solutions if they fit; return their number or `UNSOLVED`."""
+    head = SeveralResults(result)
+    for k in range(HEAD_OF_SEVERAL, width):
+        result[k] = UNKNOWN
+    head.count, head.status, head.reason = number, CONSISTENT, NO_REASON
+    if number < 0 or HEAD_OF_SEVERAL + SEVERAL_SOLUTION * number > width:
+        head.count, head.status = 0, NOT_SOLVED
+        return UNSOLVED
+    if number == 0:
+        head.status = NONE
+    for j in range(number):
+        solution = SeveralSolution(solutions[SEVERAL_SOLUTION * j :])
+        if solution.continuum:
+            head.status = CONTINUA
+        elif solution.pivot >= 0 and head.status == CONSISTENT:
+            head.status = PIVOTS
+        for m in range(SEVERAL_SOLUTION):
+            result[HEAD_OF_SEVERAL + SEVERAL_SOLUTION * j + m] = solution[m]
+    return number

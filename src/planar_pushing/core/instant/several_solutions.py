@@ -195,7 +195,7 @@ def write_unit_force(
     return count + 1
 
 
-def _load_of(several: Several, twist: Vector) -> HeldLoad:
+def load_of(several: Several, twist: Vector) -> HeldLoad:
     """The wrench that sustains a twist, and the foot that rests at its center of rotation."""
     effects, size = several.effects, length_of_twist(twist)
     total = resistance(effects, x=twist.x, y=twist.y, spin=twist.spin, blur=SLOW * size)
@@ -212,7 +212,7 @@ def _load_of(several: Several, twist: Vector) -> HeldLoad:
 
 def balances(several: Several, sharing: Sharing, twist: Vector, slack: float) -> bool:
     """Whether the contacts can balance the load of a twist; both ends of their forces are written."""
-    load = _load_of(several, twist)
+    load = load_of(several, twist)
     return balance_load(sharing.units, sharing.number, load, slack, sharing.low, sharing.high)
 
 

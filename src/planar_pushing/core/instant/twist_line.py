@@ -61,6 +61,8 @@ class TwistLine(NamedTuple):
         Rounding error of the power.
     on_feet : bool
         Whether all friction is that of feet.
+    given : float
+        Power along the probe of given forces, which the constant contains, too.
     """
 
     effects: Effects
@@ -72,6 +74,7 @@ class TwistLine(NamedTuple):
     linear: float
     noise: float
     on_feet: bool
+    given: float
 
 
 class FootTerm(NamedTuple):
@@ -168,7 +171,18 @@ def line_through(effects: Effects, start: Vector, step: Vector, probe: Vector) -
         linear=linear,
         noise=SUM_NOISE * RESOLUTION * terms,
         on_feet=on_feet,
+        given=0.0,
     )
+
+
+def give_force(line: TwistLine, force: Vector) -> TwistLine:
+    """The line with a given force on the slider, which bears a part of the load."""
+    power = dot_vectors(force, line.probe)
+    return TwistLine(
+        line.effects, line.start, line.step, line.size, line.probe,
+        constant=line.constant - power, linear=line.linear,
+        noise=line.noise + SUM_NOISE * RESOLUTION * fabs(power), on_feet=line.on_feet, given=power,
+    )  # fmt: skip
 
 
 def _power_at(effects: Effects, twist: Vector, probe: Vector) -> float:
@@ -221,7 +235,7 @@ def power_on_line(line: TwistLine, angle: float, inside: float) -> Power:
     )
     slope = dot_vectors(bend, probe)
     if not line.effects.massive:
-        return Power(value, slope)
+        return Power(value - line.given, slope)
     load = load_wrench(line.effects)
     mass = line.constant + dot_vectors(load, probe)
     return Power(

@@ -17,6 +17,7 @@ from planar_pushing.mechanics.outline.places import places_with_normals
 from planar_pushing.mechanics.slider import ALIGNED, inner_corners
 from planar_pushing.objects.many import require_contacts
 from planar_pushing.objects.on_outline import on_outline, side_on_fence
+from planar_pushing.terms.declared import positive
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import as_numbers as plain_numbers
@@ -24,6 +25,7 @@ from planar_pushing.terms.numbers import remedy_for
 
 #: Maximum number of contacts; a side counts as two.
 MOST_CONTACTS = 4
+GRIP_FORCE = positive("leave it out if the finger moves as given along its normal, too")
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,12 +50,15 @@ class Contact:
     side : int, optional
         Instead of a point: the number of a side of the outline, as in `scene_at`. A side is two contacts,
         at its ends, of one pusher.
+    grip_force : float or array, optional
+        Normal force of a finger of a gripper that is driven by force. It follows the object along the
+        normal, so that only the component of its velocity along the tangent counts.
 
     Raises
     ------
     InvalidValue
         If there is no law, neither or both of point and side are given, or both of velocity and twist, or a
-        number is not finite.
+        number is not finite, or a grip force is not positive or that of a side.
     """
 
     point: Any = None
@@ -63,6 +68,7 @@ class Contact:
     velocity: Any = None
     twist: Any = None
     side: Any = None
+    grip_force: Any = None
 
     def __post_init__(self) -> None:
         laws = [self.law] if is_law(self.law) else np.ravel(np.asarray(self.law, dtype=object))
@@ -84,6 +90,13 @@ class Contact:
             raise InvalidValue(
                 "twist", self.twist, "either a velocity or a twist", "leave out one of them"
             )
+        if self.grip_force is not None:
+            GRIP_FORCE.require("grip_force", self.grip_force)
+            if self.side is not None:
+                raise InvalidValue(
+                    "grip_force", self.grip_force, "none together with a side",
+                    "give the point at which the finger presses",
+                )  # fmt: skip
         if self.point is not None:
             _require_single("point", self.point)
             if self.normal is not None:
@@ -109,12 +122,15 @@ class PlacedContact(NamedTuple):
         Of the pusher at the point.
     law : Any
         The law.
+    grip_force : number or array, optional
+        Normal force, if the finger is driven by force.
     """
 
     point: tuple[float, float]
     normal: tuple[float, float]
     velocity: tuple[Number, Number]
     law: Any
+    grip_force: Number | None = None
 
     @property
     def numbers(self) -> Any:
@@ -226,7 +242,10 @@ def _with_velocity(
     else:
         v_x, v_y, omega = components("twist", contact.twist, 3)
         x, y = v_x - omega * point[1], v_y + omega * point[0]
-    return PlacedContact(point, normal, (x, y), contact.law)
+    force = contact.grip_force
+    if force is not None:
+        force = GRIP_FORCE.require("grip_force", force)
+    return PlacedContact(point, normal, (x, y), contact.law, force)
 
 
 def _require_single(name: str, value: Any) -> None:

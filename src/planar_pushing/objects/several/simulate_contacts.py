@@ -192,6 +192,11 @@ def place_pushers(contacts: Any, pushers: Any, outline: Outline, given: Any) -> 
     place_contacts(contacts, outline, given)
     placed = []
     for contact, pusher in zip(kinds, several, strict=True):
+        if contact.grip_force is not None:
+            raise InvalidValue(
+                "grip_force", contact.grip_force, "none over time",
+                "leave it out: solve_contacts has the motions of one instant",
+            )  # fmt: skip
         if contact.velocity is not None or contact.twist is not None:
             raise InvalidValue(
                 "contacts", "a contact with a velocity", "contacts without velocities",

@@ -33,6 +33,7 @@ from planar_pushing.objects.scene_at import (
     with_center,
 )
 from planar_pushing.objects.several.contact import Contact, PlacedContact, place_contacts
+from planar_pushing.objects.several.grip import OPPOSITE, grip_rows, is_opposite, require_grip
 from planar_pushing.objects.several.solutions import (
     ContactsSolutionArrays,
     as_labeled,
@@ -44,8 +45,6 @@ from planar_pushing.terms.numbers import Array
 
 #: Room for the solutions of up to two contacts, of which five were the most that random scenes had.
 ROOM_FOR_TWO = 8
-#: Contacts whose normals are opposite, and on one line, to within this.
-OPPOSITE = 1e-9
 
 
 def solve_contacts(
@@ -92,11 +91,16 @@ def solve_contacts(
     scene, center = scene_about_center(effects, shape)
     warn_of_doubts(effects, [contact.law for contact in placed], shape)
     require_held(scene)
-    _require_no_squeeze(placed, scene)
+    forces = [contact.grip_force for contact in placed if contact.grip_force is not None]
+    if forces:
+        require_grip(placed, effects, scene)
+    else:
+        _require_no_squeeze(placed, scene)
     count = len(placed)
     numbers = [
         *scene.rows.columns,
         *(number for contact in placed for number in (*contact.velocity, *contact.numbers)),
+        *forces,
     ]
     outputs = outputs_of(count)
     answer = functools.partial(_solve_arrays, scene, placed, center)
@@ -125,11 +129,9 @@ def _require_no_squeeze(contacts: Sequence[PlacedContact], scene: Scene) -> None
     """Refuse two contacts with opposite normals on one line that neither close in nor open."""
     for i, one in enumerate(contacts):
         for other in contacts[:i]:
-            (n_x, n_y), (m_x, m_y) = one.normal, other.normal
-            r_x, r_y = one.point[0] - other.point[0], one.point[1] - other.point[1]
-            aside = abs(r_x * n_y - r_y * n_x)
-            if np.hypot(n_x + m_x, n_y + m_y) > OPPOSITE or aside > OPPOSITE * scene.slider.radius:
+            if not is_opposite(one, other, float(scene.slider.radius)):
                 continue
+            (n_x, n_y), (m_x, m_y) = one.normal, other.normal
             (v_x, v_y), (w_x, w_y) = one.velocity, other.velocity
             closing = n_x * v_x + n_y * v_y + m_x * w_x + m_y * w_y
             speed = np.hypot(v_x, v_y) + np.hypot(w_x, w_y)
@@ -137,24 +139,35 @@ def _require_no_squeeze(contacts: Sequence[PlacedContact], scene: Scene) -> None
                 raise InvalidValue(
                     "contacts", f"a squeeze between {other.point} and {one.point}",
                     "contacts whose forces the motion determines",
-                    "a squeeze has any grip force; move one of the contacts off the other's normal",
+                    "give one of them its grip_force, or move it off the other's normal",
                 )  # fmt: skip
 
 
 def _solve_arrays(
     scene: Scene, contacts: Sequence[PlacedContact], center: tuple[float, float], *numbers: Any
 ) -> list[npt.NDArray[Any]]:
-    """The arrays of `ContactsSolutionArrays`, from the columns of the effects and those of the contacts."""
-    rows, radius = scene.rows, scene.slider.radius
+    """The arrays of `ContactsSolutionArrays`, from the columns of the effects and those of the contacts.
+
+    The force of a finger that is driven by it follows.
+    """
+    rows, radius, count = scene.rows, scene.slider.radius, len(contacts)
     columns, rest = numbers[: len(rows.columns)], numbers[len(rows.columns) :]
-    moved = [rest[7 * i : 7 * i + 7] for i in range(len(contacts))]
-    strengths = strengths_of(rows.entries, columns)
+    moved = [rest[7 * i : 7 * i + 7] for i in range(count)]
+    kernel, data, gripped = "solve_contacts", rows.data, len(rest) > 7 * count
     size: Any = 0.0
-    for v_x, v_y, *_ in moved:
-        size = np.maximum(size, np.hypot(v_x, v_y))
-    require_proportion(rows.entries, strengths, size)
-    size = np.where(np.asarray(size) > 0.0, size, size_of_fall(rows.entries, strengths))
-    unit, scaled = in_units(rows.entries, columns, strengths, size)
+    for contact, (v_x, v_y, *_) in zip(contacts, moved, strict=True):
+        speed = np.hypot(v_x, v_y)
+        if contact.grip_force is not None:
+            speed = np.abs(contact.normal[1] * v_x - contact.normal[0] * v_y)
+        size = np.maximum(size, speed)
+    if gripped:
+        kernel, size = "solve_gripped", np.where(np.asarray(size) > 0.0, size, 1.0)
+        data, scaled, unit = grip_rows(scene, contacts, columns, rest[-1])
+    else:
+        strengths = strengths_of(rows.entries, columns)
+        require_proportion(rows.entries, strengths, size)
+        size = np.where(np.asarray(size) > 0.0, size, size_of_fall(rows.entries, strengths))
+        unit, scaled = in_units(rows.entries, columns, strengths, size)
     for contact, (v_x, v_y, right, left, slips, closed, rough) in zip(contacts, moved, strict=True):
         (x, y), (c_x, c_y) = contact.point, center
         scaled += row_of(
@@ -162,10 +175,9 @@ def _solve_arrays(
             velocity=[v_x / size, v_y / size], right=right, left=left, slips=slips, closed=closed,
             rough=rough,
         )  # fmt: skip
-    width = SeveralResults.size + _room_of(len(contacts)) * SEVERAL_SOLUTION
-    geometry, outputs = _Geometry(contacts, center, radius), outputs_of(len(contacts))
-    columns_of_rows = [*scaled, size, unit]
-    return map_kernel("solve_contacts", rows.data, columns_of_rows, outputs, width, geometry.decode)
+    width = SeveralResults.size + _room_of(count) * SEVERAL_SOLUTION
+    geometry, outputs = _Geometry(contacts, center, radius), outputs_of(count)
+    return map_kernel(kernel, data, [*scaled, size, unit], outputs, width, geometry.decode)
 
 
 def _room_of(count: int) -> int:

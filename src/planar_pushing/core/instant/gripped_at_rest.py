@@ -1,0 +1,149 @@
+"""A slider between two fingers, one of which is driven by force, that friction holds at rest.
+
+Friction bears any wrench within the limit surface. Of the forces that the laws allow, those that need the
+smallest share of friction are found; the share is convex.
+"""
+
+from __future__ import annotations
+
+from math import fabs
+
+from planar_pushing.core.instant.gripped_frames import (
+    Grip,
+    add_gripped,
+    can_slip,
+    force_of_press,
+    pull_of,
+    write_grip_force,
+)
+from planar_pushing.core.instant.limit_line import (
+    DOUBLINGS,
+    add_multiple,
+    least_multiple,
+    slope_at,
+    surface_at,
+)
+from planar_pushing.core.instant.several_frames import MOST_CONTACTS, frame_of
+from planar_pushing.core.instant.several_solutions import unit_forces, write_unit_force
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
+from planar_pushing.core.instant.twist_line import length_of_twist, scale_vector
+from planar_pushing.core.instant.unit_forces import MOST_UNITS, UNIT_FORCE, UnitForce
+from planar_pushing.core.numbers import INFINITY, Numbers, zeros
+from planar_pushing.core.supports.roots import (
+    ITERATIONS,
+    best_number,
+    is_narrow,
+    narrow_bracket,
+    next_number,
+    open_bracket,
+)
+from planar_pushing.core.supports.rows import NO_POINT, Effects, Vector
+from planar_pushing.core.supports.tolerances import COINCIDENT, SHARE
+
+
+def add_grip_at_rest(grip: Grip, solutions: Numbers, count: int) -> int:
+    """Add the slider at rest if friction can bear the forces, with those that need its smallest share.
+
+    The finger that moves as given leaves, or slips or sticks at the slider.
+    """
+    several = grip.several
+    held, press = frame_of(several, grip.held), frame_of(several, grip.pressed)
+    if held.pusher_across > COINCIDENT or count < 0:
+        return count
+    modes, own = zeros(MOST_CONTACTS), zeros(MOST_CONTACTS)
+    for i in range(2):
+        along = press.pusher_along if i == grip.pressed else held.pusher_along
+        modes[i] = float(STICK)
+        if fabs(along) > COINCIDENT:
+            modes[i] = float(SLIP_LEFT if along > 0.0 else SLIP_RIGHT)
+    if held.pusher_across < -COINCIDENT:
+        modes[grip.held] = float(SEPARATE)
+    mode = int(modes[grip.pressed])
+    if mode != STICK and not can_slip(grip, grip.pressed):
+        return count
+    units = zeros(MOST_UNITS * UNIT_FORCE)
+    own[grip.held] = modes[grip.held]
+    number = unit_forces(several, own, units)
+    if mode == STICK:
+        number = write_unit_force(units, number, grip.pressed, 1.0, press.along, 0.0, 0.0)
+        number = write_unit_force(units, number, grip.pressed, -1.0, press.along, 0.0, 0.0)
+    given = force_of_press(grip, mode)
+    start = add_multiple(given, 1.0, grip.load)
+    best = surface_at(several.effects, start).share
+    multiples, trial = zeros(2), zeros(2)
+    first, second = -1, -1
+    for k in range(number):
+        for m in range(k, number):
+            one, other = UnitForce(units[UNIT_FORCE * k :]), UnitForce(units[UNIT_FORCE * m :])
+            share = _least_of_units(grip, start, one, other, m > k, trial)
+            if share < best:
+                best, first, second = share, k, m
+                multiples[0], multiples[1] = trial[0], trial[1]
+    if best > 1.0 + SHARE:
+        return count
+    forces = zeros(8)
+    write_grip_force(given, grip.pressed, forces)
+    if first >= 0:
+        one, other = UnitForce(units[UNIT_FORCE * first :]), UnitForce(units[UNIT_FORCE * second :])
+        write_grip_force(scale_vector(_wrench_of_unit(one), multiples[0]), one.contact, forces)
+        write_grip_force(scale_vector(_wrench_of_unit(other), multiples[1]), other.contact, forces)
+    return add_gripped(
+        grip, modes, Vector(0.0, 0.0, 0.0), NO_POINT, forces, continuum=False, solutions=solutions,
+        count=count,
+    )  # fmt: skip
+
+
+def _wrench_of_unit(unit: UnitForce) -> Vector:
+    """The wrench of a unit force."""
+    return Vector(unit.x, unit.y, unit.torque)
+
+
+def _most_of(grip: Grip, unit: UnitForce) -> float:
+    """The largest multiple of a unit force: that of the finger that presses is bounded."""
+    if unit.contact != grip.pressed:
+        return INFINITY
+    press = frame_of(grip.several, grip.pressed)
+    ahead: bool = unit.x * press.along.x + unit.y * press.along.y > 0.0
+    return grip.force * fabs(pull_of(press, SLIP_LEFT if ahead else SLIP_RIGHT))
+
+
+def _least_of_units(
+    grip: Grip, start: Vector, one: UnitForce, other: UnitForce, both: bool, multiples: Numbers
+) -> float:
+    """The smallest share with multiples of one unit force, or of two, which are written."""
+    effects, first, second = grip.several.effects, _wrench_of_unit(one), _wrench_of_unit(other)
+    most, most_of_other = _most_of(grip, one), _most_of(grip, other)
+    more = 0.0
+    if both:
+        low, high = 0.0, min(most_of_other, length_of_twist(start))
+        at_low = _slope_with(effects, start, first, most, second, 0.0)
+        at_high = at_low
+        for _ in range(DOUBLINGS if at_low < 0.0 else 0):
+            at_high = _slope_with(effects, start, first, most, second, high)
+            if at_high >= 0.0 or high == most_of_other:
+                break
+            low, at_low, high = high, at_high, min(most_of_other, 2.0 * high)
+        if at_low < 0.0 <= at_high:
+            bracket = open_bracket(low, high, at_low, at_high, COINCIDENT)
+            for _ in range(ITERATIONS):
+                if is_narrow(bracket):
+                    break
+                trial = next_number(bracket)
+                value = _slope_with(effects, start, first, most, second, trial)
+                bracket = narrow_bracket(bracket, trial, value)
+            more = best_number(bracket)
+        elif at_low < 0.0:
+            more = high
+    there = add_multiple(start, more, second)
+    part = least_multiple(effects, there, first, most)
+    multiples[0], multiples[1] = part, more
+    return surface_at(effects, add_multiple(there, part, first)).share
+
+
+def _slope_with(
+    effects: Effects, start: Vector, first: Vector, most: float, second: Vector, more: float
+) -> float:
+    """Slope of the smallest share over multiples of a force, along another one."""
+    there = add_multiple(start, more, second)
+    part = least_multiple(effects, there, first, most)
+    return slope_at(surface_at(effects, add_multiple(there, part, first)), second)
