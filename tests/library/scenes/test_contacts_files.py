@@ -245,7 +245,7 @@ REFUSED = [
     ("velocity: [1, -0.5]", "twist: [1, 0, 0]", "contacts[0].twist: [1, 0, 0] given; allowed: a mapping"),
     ("velocity: [1, -0.5]", "velocty: [1, 0]",
      "contacts[0].velocty: [1, 0] given; allowed: the keys law, friction_coefficient, point, normal, side, "
-     "velocity, twist; did you mean velocity?"),
+     "velocity, twist, grip_force; did you mean velocity?"),
     ("point: [1, -1], normal: [0, 1]", "point: [-1, 0.5]", "contacts: 'two contacts at"),
     ("object: {", "object: {contact: {point: [-1, 0]}, ",
      "object.contact: {'point': [-1, 0]} given; allowed: the keys outline, feet"),
