@@ -248,7 +248,7 @@ BATCH: Quantities = {
     "parted": FINGER["parted"],
     "rod_angle": DATASET["rod_angle"],
     "solutions": ("1", "number of modes that were consistent when the mode was chosen"),
-    "stopped": ("1", "whether the motion could not continue, and why"),
+    "stopped": ("1", "why the motion could not continue; empty if it could"),
     "time": ("time", "time reached; less than the duration if the motion could not continue"),
     "velocity": ("length/time", "velocity of the fence"),
 }
