@@ -161,6 +161,14 @@ def test_runs_and_batches_with_a_table_are_those_with_pieces(name):
     assert batches[0].identical(batches[1])
 
 
+def test_an_assessment_with_a_table_is_that_with_pieces():
+    texts = [
+        pp.assess_push(SCENE, pp.Pusher(velocity=value), duration=0.8).table()
+        for value in (TABLES["frame"], PIECES)
+    ]
+    assert texts[0] == texts[1]
+
+
 def test_waypoints_are_a_table_too():
     path = [(0.0, (0.0, 0.0)), (0.5, (0.0, 0.4)), (1.0, (0.2, 0.6))]
     rows = pd.DataFrame([(time, *position) for time, position in path], columns=["time", "x", "y"])
