@@ -321,6 +321,8 @@ class Body:
             return name, node.args[0]
         if name in names.structs:
             expected = list(names.structs[name].values())
+            if any(rows) or any(_origin(argument) in self.rows for argument in node.args):
+                self.refuse(node, f"row of zeros in a {name}; pass it to a function that makes one")
         elif name in names.signatures:
             expected, result = names.signatures[name]
             if any(self._refers(kind) and not row for kind, row in zip(kinds, rows, strict=True)):

@@ -38,6 +38,13 @@ WRONG = {
     f"4 arguments without a name given; allowed: scene, pusher_angle, pusher_magnitude; {ONE} der": (
         lambda: pp.solve(SCENE, 1.0, 0.1, True)
     ),
+    "Polygon.rectangle: 5 arguments without a name given; allowed: width, height, center, angle; lea": (
+        lambda: pp.Polygon.rectangle(0.3, 0.2, (0, 0), 0.1, 0.2)
+    ),
+    "Points.regular: corner=1 given; allowed: ": lambda: pp.Points.regular(3, 1.0, corner=1),
+    "Outline.ellipse: no a given; allowed: a, b, arcs; give a=...": lambda: pp.Outline.ellipse(),
+    "Outline: 3 arguments without a name given; allowed: ": lambda: pp.Outline([], [], []),
+    "Pusher.velocity_at: no time given; allowed: time; give time=...": FENCE.velocity_at,
     "solve: scene given twice; allowed: once; leave out scene=": (
         lambda: pp.solve(SCENE, scene=SCENE)
     ),

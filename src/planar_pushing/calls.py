@@ -6,6 +6,7 @@ The package explains the calls of its public names where they are first used, so
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from enum import Enum
 from functools import wraps
 from types import FunctionType
 from typing import Any
@@ -17,16 +18,31 @@ Load = Callable[[str], Any]
 
 
 def explain_calls(name: str, value: Any, load: Load) -> Any:
-    """A public function or dataclass whose wrong calls raise `InvalidCall`; any other value as it is."""
+    """A public function or class whose wrong calls raise `InvalidCall`, and those of its methods.
+
+    Any other value, and enumerations and exceptions, which Python calls in its own ways, stay as they are.
+    """
     if isinstance(value, FunctionType):
         explained: Any = _explain_function(value, name, load, bound=0)
         # Under these names pickle finds the function that it is given.
         explained.__module__, explained.__qualname__ = __name__.partition(".")[0], name
         return explained
-    if isinstance(value, type) and "__dataclass_fields__" in vars(value):
-        dataclass: Any = value
-        dataclass.__init__ = _explain_function(dataclass.__init__, name, load, bound=1)
+    if isinstance(value, type) and not issubclass(value, Enum | BaseException):
+        for label, member in list(vars(value).items()):
+            if label == "__init__" or not label.startswith("_"):
+                full = name if label == "__init__" else f"{name}.{label}"
+                if (explained := _explain_member(member, full, load)) is not None:
+                    setattr(value, label, explained)
     return value
+
+
+def _explain_member(member: Any, name: str, load: Load) -> Any:
+    """A method or a class method that explains a wrong call; None for anything else in a class."""
+    if isinstance(member, FunctionType):
+        return _explain_function(member, name, load, bound=1)
+    if isinstance(member, classmethod):
+        return classmethod(_explain_function(member.__func__, name, load, bound=1))
+    return None
 
 
 def _explain_function(function: Callable[..., Any], name: str, load: Load, bound: int) -> Any:

@@ -18,7 +18,9 @@ def add(commands: Commands) -> None:
     about = "Turn the log of a simulation into an animation."
     sub = command(commands, "animate", write_animation, about, "log.nc -o motion.gif --frames 50")
     sub.add_argument("log", type=Path, metavar="LOG.nc", help="log written by simulate")
-    add_output(sub, "MOTION.gif", "output picture; its name ends in .gif")
+    add_output(
+        sub, "MOTION.gif", "output file; its name ends in .gif or, with the program ffmpeg, in .mp4"
+    )
     sub.add_argument(
         "--frames", type=int, default=75, metavar="NUMBER",
         help="number of frames, evenly spaced in time, a whole number from 2 to 1000 (default: 75)",
@@ -45,4 +47,8 @@ def write_animation(args: argparse.Namespace) -> dict[str, Any]:
     animation = animate(
         log, args.output, frames=args.frames, frames_per_second=args.frames_per_second
     )
-    return {"written": str(args.output), "frames": animation.frames, "bytes": len(animation.gif)}
+    return {
+        "written": str(args.output),
+        "frames": animation.frames,
+        "bytes": args.output.stat().st_size,
+    }

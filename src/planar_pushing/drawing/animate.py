@@ -6,6 +6,8 @@ import base64
 import io
 import json
 import math
+import shutil
+import subprocess
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -33,7 +35,7 @@ from planar_pushing.drawing.timeline import (
     touching_wall,
 )
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.terms.errors import InvalidValue, require_number, require_path
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_number, require_path
 from planar_pushing.terms.replacing import PathLike, replacing
 
 #: Size of a picture in inches, its pixels per inch, and the padding around the drawing in points.
@@ -54,6 +56,28 @@ class Animation:
     gif: bytes
     frames: int
 
+    def save(self, path: PathLike) -> None:
+        """Write the animation to a file, completely or not at all.
+
+        Parameters
+        ----------
+        path : path
+            Its name ends in .gif or, where the program ffmpeg is installed, in .mp4.
+
+        Raises
+        ------
+        InvalidValue
+            If the name has another ending, or ffmpeg is not found.
+        InvalidFile
+            If the file cannot be written.
+        """
+        ending = _required_ending(path)
+        with replacing(path) as temporary:
+            if ending == ".gif":
+                temporary.write_bytes(self.gif)
+            else:
+                _write_video(self.gif, temporary, path)
+
     def _repr_html_(self) -> str:
         data = base64.b64encode(self.gif).decode()
         return f'<img alt="motion over time" src="data:image/gif;base64,{data}">'
@@ -66,7 +90,7 @@ def animate(
     frames: int = 75,
     frames_per_second: float = 25.0,
 ) -> Animation:
-    """Draw a log as an animated GIF; its bytes depend only on the log.
+    """Draw a log as an animated GIF, whose bytes depend only on the log, or as a video.
 
     Parameters
     ----------
@@ -74,7 +98,8 @@ def animate(
         Returned by `simulate`. For the log of a run that did not finish, the package's logger says where
         the log ends.
     path : path, optional
-        File to write, completely or not at all; its name ends in .gif.
+        File to write, as by `Animation.save`: its name ends in .gif or, where the program ffmpeg is
+        installed, in .mp4.
     frames : int
         Number of frames, evenly spaced over the duration of the log, 2 to 1000.
     frames_per_second : float
@@ -83,17 +108,17 @@ def animate(
     Returns
     -------
     Animation
-        Displayed by notebooks.
+        Displayed by notebooks; `save` writes it to a file.
 
     Raises
     ------
     InvalidValue
-        If the file name has another ending or a number is not allowed.
+        If the file name has another ending, ffmpeg is not found, or a number is not allowed.
     InvalidFile
         If the dataset is not a log.
     """
-    if path is not None and Path(require_path("path", path)).suffix.lower() != ".gif":
-        raise InvalidValue("output", str(path), "a name ending in .gif", "rename the file")
+    if path is not None:
+        _required_ending(path)
     require_number(
         "frames", frames, lambda n: 2 <= n <= 1000 and n == int(n), FRAMES, "choose another number"
     )
@@ -105,9 +130,33 @@ def animate(
     announce_end(log)
     animation = Animation(_gif(resample(data, frames), frames_per_second), frames)
     if path is not None:
-        with replacing(path) as temporary:
-            temporary.write_bytes(animation.gif)
+        animation.save(path)
     return animation
+
+
+def _required_ending(path: PathLike) -> str:
+    """The ending of a file name, .gif or, where ffmpeg is installed, .mp4."""
+    ending = Path(require_path("path", path)).suffix.lower()
+    if ending not in (".gif", ".mp4"):
+        allowed = "a name ending in .gif or, with the program ffmpeg, in .mp4"
+        raise InvalidValue("output", str(path), allowed, "rename the file")
+    if ending == ".mp4" and shutil.which("ffmpeg") is None:
+        raise InvalidValue(
+            "output", str(path), "a name ending in .gif, since the program ffmpeg is not found",
+            "install ffmpeg, or rename the file",
+        )  # fmt: skip
+    return ending
+
+
+def _write_video(gif: bytes, file: Path, name: PathLike) -> None:
+    """Convert an animation to a video in a file; a message says the file's final name."""
+    command = ["ffmpeg", "-loglevel", "error", "-y", "-f", "gif", "-i", "pipe:0"]
+    options = ["-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", str(file)]
+    ended = subprocess.run([*command, *options], input=gif, capture_output=True, check=False)
+    if ended.returncode:
+        said = ended.stderr.decode(errors="replace").strip().splitlines()
+        reason = said[-1] if said else f"exit code {ended.returncode}"
+        raise InvalidFile(f"{name}: ffmpeg: {reason}; update ffmpeg, or give a name ending in .gif")
 
 
 def _gif(motion: xr.Dataset, rate: float) -> bytes:

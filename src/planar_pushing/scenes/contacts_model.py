@@ -11,8 +11,8 @@ from pydantic_core import PydanticCustomError
 from planar_pushing.mechanics.contact import LAWS
 from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.mechanics.outline import require_outline
-from planar_pushing.objects.several.at_start import contacts_at_start
 from planar_pushing.objects.several.contact import Contact, place_contacts
+from planar_pushing.objects.several.simulate_contacts import contacts_at_start
 from planar_pushing.objects.several.solve_contacts import scene_about_center
 from planar_pushing.scenes.entries import EffectEntry, UnitsEntry, entry_of
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, Text, refuse_key

@@ -21,7 +21,7 @@ from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
 from planar_pushing.simulation.problem import Problem, warn_of_doubts
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.runs import run_scenes
+from planar_pushing.simulation.runs import Ends, run_scenes
 from planar_pushing.simulation.world import World, require_one_shape
 from planar_pushing.terms import quantities
 from planar_pushing.terms.domain import SAMPLE_COUNT
@@ -79,9 +79,9 @@ def simulate_batch(
         Dataset over `scene`, or the dimensions of the labeled arrays, and over `part` of the duration if
         `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
         the force at the instant, and `impulse` the sum of those since the instant before, or since the
-        start. For a run whose motion could not continue, `stopped` and `time` say why and when; its other
-        numbers are the last ones. Runs in which a finger touches two places go on one by one, as in
-        `simulate`, which takes longer.
+        start. For a run whose motion could not continue, `stopped`, a text that is empty otherwise, and
+        `time` say why and when; its other numbers are the last ones. Runs in which a finger touches two
+        places go on one by one, as in `simulate`, which takes longer.
 
     Warns
     -----
@@ -123,18 +123,13 @@ def batch_of(
         if samples is None
         else np.linspace(0.0, 1.0, int(SAMPLE_COUNT.require("samples", samples)))
     )
-    ends = scenes.ends
+    last = scenes.ends
     # Bit for bit the times of `simulate`.
-    times = ends[:, None] if samples is None else np.linspace(0.0, ends, len(parts), axis=-1)
-    rows, changes = run_scenes(scenes, times, progress)
+    times = last[:, None] if samples is None else np.linspace(0.0, last, len(parts), axis=-1)
+    rows, ends = run_scenes(scenes, times, progress)
     if passes_inner_corners and problem.passes_inner_corners:
-        _go_on(scenes, over, times, rows, changes)
-    variables = _variables(scenes, rows, samples is None)
-    variables["mode_changes"] = ("scene",), changes
-    variables["evaluations"] = (
-        ("scene",),
-        rows[:, -1, LogRow.places["evaluations"]].astype(np.int64),
-    )
+        _go_on(scenes, over, times, rows, ends)
+    variables = _variables(scenes, rows, ends, samples is None)
     unfolded = {name: _unfold(variable, over) for name, variable in variables.items()}
     coordinates = _coordinates(problem, over) | ({"part": ("part", parts)} if samples else {})
     dataset = xr.Dataset(unfolded, coordinates)
@@ -157,7 +152,7 @@ class Over(NamedTuple):
 def _require_free_names(over: Over) -> None:
     """Reject dimensions and coordinates with names of results."""
     sampled = (field.name for field in FIELDS if field.sampled)
-    names = {*sampled, "mode_changes", "evaluations", "part", "piece", "xy"}
+    names = {*sampled, "stopped", "mode_changes", "evaluations", "part", "piece", "xy"}
     for name in (*over.dims, *map(str, over.coordinates)):
         if name in names:
             raise InvalidValue(
@@ -186,9 +181,7 @@ def _broadcast(values: list[Any]) -> tuple[list[Array], Over]:
     return flat, Over(dims, shape, coordinates)
 
 
-def _go_on(
-    scenes: Scenes, over: Over, times: Array, rows: Array, changes: npt.NDArray[np.int64]
-) -> None:
+def _go_on(scenes: Scenes, over: Over, times: Array, rows: Array, ends: Ends) -> None:
     """Replace the rows of the runs that have ended where a finger touches two places, as in `simulate`."""
     for i in np.flatnonzero(Columns(LogRow, rows[:, -1]).stopped == Stop.TWO_CONTACTS).tolist():
         problem = _problem_of(scenes, over, i)
@@ -198,7 +191,8 @@ def _go_on(
             run = ContinuedRun(problem, times[i])
             log = np.concatenate(list(run))
             last = np.searchsorted(Columns(LogRow, log).time, times[i], side="right") - 1
-            rows[i], changes[i] = log[last], changes[i] + run.later_changes
+            rows[i], ends.reasons[i] = log[last], run.stopped
+            ends.changes[i] += run.later_changes
 
 
 def _problem_of(scenes: Scenes, over: Over, number: int) -> Problem:
@@ -245,15 +239,25 @@ def _template(over: Over) -> xr.DataArray:
     return xr.DataArray(np.zeros(over.shape), dims=over.dims)
 
 
-def _variables(scenes: Scenes, rows: Array, only_last: bool) -> dict[str, Any]:
-    """Variables of rows, with dimensions and types as in a log."""
+def _variables(scenes: Scenes, rows: Array, ends: Ends, only_last: bool) -> dict[str, Any]:
+    """Variables of rows, with dimensions and types as in a log, and of the ends of the runs."""
     problem, world = scenes.problem, scenes.world
-    dims, rows = (("scene",), rows[:, -1]) if only_last else (("scene", "part"), rows)
+    evaluations = Columns(LogRow, rows[:, -1]).evaluations.astype(np.int64)
+    stops = Columns(LogRow, rows).stopped != Stop.NO
+    stopped = np.where(stops, ends.reasons[:, None], "").astype(str)
+    dims: tuple[str, ...] = ("scene", "part")
+    if only_last:
+        dims, rows, stopped = dims[:1], rows[:, -1], stopped[:, -1]
     if world is not None and not only_last:
         world = World.of_numbers([number[:, None] for number in world.numbers])
     fields = sampled_fields(problem)
     values = arrays(rows, problem, fields, world)
-    return {field.name: ((*dims, *field.dims), values[field.name]) for field in fields}
+    return {
+        **{field.name: ((*dims, *field.dims), values[field.name]) for field in fields},
+        "stopped": (dims, stopped),
+        "mode_changes": (("scene",), ends.changes),
+        "evaluations": (("scene",), evaluations),
+    }
 
 
 def _unfold(variable: Any, over: Over) -> Any:

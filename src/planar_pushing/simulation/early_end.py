@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import inspect
+from collections import Counter
 from collections.abc import Callable, Mapping
 from functools import wraps
 from typing import NamedTuple, ParamSpec
 
-import numpy as np
 import xarray as xr
 
 from planar_pushing.simulation.fields import Stop
@@ -94,18 +94,23 @@ def _end_of_log(log: xr.Dataset) -> str:
         return ""
     of_time = "" if unit in ("1", "time") else f" {unit}"
     ended, duration = (f"{log.attrs[name]:.6g}{of_time}" for name in ("stopped_time", "duration"))
-    remedy = next(reason.remedy for reason in REASONS.values() if reason.text in stopped)
+    remedy = _reason_in(stopped).remedy
     return f"the run ended at time {ended} of {duration}: {stopped}; {remedy}"
 
 
 def _ends_of_batch(batch: xr.Dataset) -> str:
     last = batch["stopped"].isel(part=-1) if "part" in batch["stopped"].dims else batch["stopped"]
-    codes, counts = np.unique(last.values[last.values != Stop.NO], return_counts=True)
-    if not len(codes):
+    reasons = Counter(_reason_in(text) for text in last.values.ravel().tolist() if text)
+    if not reasons:
         return ""
-    reason, most = REASONS[Stop(int(codes[counts.argmax()]))], int(counts.max())
-    often = "" if len(codes) == 1 else f"in {most} of them, "
+    ((reason, most),) = reasons.most_common(1)
+    often = "" if len(reasons) == 1 else f"in {most} of them, "
     return (
-        f"{counts.sum()} of {last.size} runs ended early, see stopped and time: {often}{reason.text}; "
+        f"{reasons.total()} of {last.size} runs ended early, see stopped and time: {often}{reason.text}; "
         f"{reason.remedy}"
     )
+
+
+def _reason_in(stopped: str) -> Reason:
+    """The reason in the text `stopped`, which can add numbers."""
+    return next(reason for reason in REASONS.values() if reason.text in stopped)

@@ -102,7 +102,7 @@ class Field(NamedTuple):
     logged : callable
         Whether the log of a problem contains it.
     sampled : bool
-        Whether the dataset of a batch contains it, if a log does or if it is `stopped`.
+        Whether the dataset of a batch contains it, if a log does.
     stepped : bool
         Whether a log of time-stepping contains it: the force of a step includes its impulse.
     """
@@ -138,7 +138,6 @@ FIELDS = (
     Field("work", "work"),
     Field("kinetic_energy", "kinetic"),
     Field("evaluations", "evaluations", EFFECT, "i8"),
-    Field("stopped", "stopped", (), "i1", lambda problem: False, sampled=True),
     Field("contact_position", "contact_position", logged=_has_position, sampled=True),
     Field("contact_normal", "contact_normal", logged=_has_normal, sampled=True),
     Field("contact_piece", "contact_piece", (), "i4", _has_outline, sampled=True),
@@ -162,8 +161,7 @@ def logged_fields(problem: Problem, method: str) -> list[Field]:
 
 def sampled_fields(problem: Problem) -> list[Field]:
     """The fields of a batch."""
-    batch = [field for field in FIELDS if field.sampled]
-    return [field for field in batch if field.logged(problem) or field.name == "stopped"]
+    return [field for field in FIELDS if field.sampled and field.logged(problem)]
 
 
 def _first(source: str) -> int:

@@ -15,7 +15,7 @@ from planar_pushing.core.motion.kinematics.run import LogRow
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.kernels.arrays import flag_attributes
 from planar_pushing.mechanics.plane import direction
-from planar_pushing.simulation.fields import Stop, arrays, logged_fields
+from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities
 from planar_pushing.terms.errors import InvalidValue
@@ -33,7 +33,6 @@ FLAGS: dict[str, Mapping[str, int]] = {
     "mode": {"NONE": NO_MODE, **RESULTS["mode"]},
     "outcome": RESULTS["outcome"],
     "event": Event.__members__,
-    "stopped": Stop.__members__,
 }
 
 

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import InitVar, dataclass, field
 from enum import StrEnum
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, Literal, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -20,8 +20,9 @@ from planar_pushing.terms.errors import (
     as_floats,
     has_entries,
     require_option,
+    suggestion,
 )
-from planar_pushing.terms.numbers import as_numbers, remedy_for
+from planar_pushing.terms.numbers import as_array, as_numbers, remedy_for
 from planar_pushing.terms.options import PusherFrame, Shape
 
 Option = TypeVar("Option", bound=StrEnum)
@@ -30,13 +31,28 @@ Vector = tuple[float, float]
 Vectors = tuple[npt.ArrayLike, npt.ArrayLike]
 VelocityFunction = Callable[[float], Vector]
 
+
+class DataFrame(Protocol):
+    """A table with named columns, such as that of pandas."""
+
+    @property
+    def columns(self) -> Any: ...
+
+    def to_numpy(self) -> npt.NDArray[Any]: ...
+
+
+Table = npt.NDArray[Any] | DataFrame
+
 #: Allowed values of `velocity` and `waypoints`, and remedies.
 ALLOWED = (
-    "(v_x, v_y), a sequence of (start_time, (v_x, v_y)), or a function of time that returns one"
+    "(v_x, v_y), a sequence of (start_time, (v_x, v_y)), a table of time, v_x and v_y, or a function of "
+    "time that returns one"
 )
 REMEDY = "give the fence's velocity as finite numbers in the scene's units"
-POSITIONS = "at least two (time, (x, y)) of finite numbers"
+POSITIONS = "at least two (time, (x, y)) of finite numbers, or a table of time, x and y"
 TIMES = "give positions of the pusher in the scene's unit of length, with times from 0"
+#: Columns of tables, in the order of those without names.
+VELOCITIES, PATH = ("time", "v_x", "v_y"), ("time", "x", "y")
 
 
 def require_velocity(value: object) -> Vector:
@@ -55,12 +71,15 @@ class Pusher:
 
     Parameters
     ----------
-    velocity : (v_x, v_y), sequence of (start_time, (v_x, v_y)), or callable
+    velocity : (v_x, v_y), sequence of (start_time, (v_x, v_y)), table, or callable
         Velocity in length per time; for a finger, that of its center. The first piece starts at time 0, and
-        each piece lasts until the next one starts. For `simulate_batch`, v_x and v_y can be arrays over the
+        each piece lasts until the next one starts. A table has a piece in each row: an array of shape
+        (pieces, 3) with start time, v_x and v_y, or a pandas DataFrame with the columns `time`, `v_x` and
+        `v_y`, as read from a CSV file. For `simulate_batch`, v_x and v_y can be arrays over the
         scenes, shape (scenes,), or labeled arrays, also in each piece.
-    waypoints : sequence of (time, (x, y)), instead of a velocity
-        Positions of the pusher with their times, the first at time 0. The pusher moves straight from one to
+    waypoints : sequence of (time, (x, y)), or table, instead of a velocity
+        Positions of the pusher with their times, the first at time 0; a table has the columns `time`, `x`
+        and `y`, or is an array of shape (positions, 3). The pusher moves straight from one to
         the next at constant velocity and rests after the last. Only their differences matter, since the
         pusher starts at the contact, or a gap below it.
     acceleration
@@ -87,8 +106,8 @@ class Pusher:
         the radius is negative or given for a fence, or not exactly one of velocity and waypoints is given.
     """
 
-    velocity: Vectors | Sequence[tuple[float, Vectors]] | VelocityFunction | None = None
-    waypoints: Sequence[tuple[float, Vector]] | None = None
+    velocity: Vectors | Sequence[tuple[float, Vectors]] | Table | VelocityFunction | None = None
+    waypoints: Sequence[tuple[float, Vector]] | Table | None = None
     acceleration: InitVar[Any] = None
     breakpoints: Sequence[float] = ()
     shape: Shape | Literal["fence", "finger"] = Shape.FENCE
@@ -103,6 +122,7 @@ class Pusher:
                 "acceleration", acceleration, "none, since the velocity determines it",
                 "give a velocity that changes, for instance velocity=lambda t: (0.0, 1.0 - 0.5 * t)",
             )  # fmt: skip
+        self._read_tables()
         if self.waypoints is not None:
             _require_no_velocity(self.velocity)
             self._set("pieces", _legs(self.waypoints))
@@ -118,6 +138,13 @@ class Pusher:
         self._set("radius", _required_radius(self.radius, shape))
         frame = require_option("frame", self.frame, PusherFrame, "name one of these frames")
         self._set("frame", frame)
+
+    def _read_tables(self) -> None:
+        """Replace tables with sequences, so that pushers can be compared."""
+        for name, labels in (("velocity", VELOCITIES), ("waypoints", PATH)):
+            value = getattr(self, name)
+            if getattr(value, "ndim", 0) == 2 or _column_names(value) is not None:
+                self._set(name, _pieces_of_table(name, value, labels))
 
     def _set(self, name: str, value: Any) -> None:
         object.__setattr__(self, name, value)
@@ -148,6 +175,58 @@ class Pusher:
 def _over_time(pieces: Any, read: Callable[[Any], Any]) -> tuple[tuple[float, Any], ...]:
     """Start times and velocities, which a function validates."""
     return values_over_time("velocity", pieces, read, ALLOWED, REMEDY)
+
+
+def _column_names(table: Any) -> list[Any] | None:
+    """Names of the columns of a data frame or of an array of records; None for anything else."""
+    names = getattr(table, "columns", None)
+    if names is None:
+        names = getattr(getattr(table, "dtype", None), "names", None)
+    return None if names is None else list(names)
+
+
+def _pieces_of_table(
+    name: str, table: Any, labels: tuple[str, str, str]
+) -> list[tuple[float, Vector]]:
+    """The rows of a table of times and vectors, whose columns are found by their names if they have any."""
+    names = _column_names(table)
+    if names is None:
+        shape = np.shape(table)
+        if shape[1] != 3:
+            raise InvalidValue(
+                name, f"an array of shape {shape}", "shape (rows, 3)",
+                f"give {', '.join(labels)} in each row",
+            )  # fmt: skip
+        columns = list(table.T)
+    else:
+        _require_columns(name, names, labels)
+        columns = [table[label] for label in labels]
+    numbers = [
+        _required_column(name, label, column) for label, column in zip(labels, columns, strict=True)
+    ]
+    return [(time, (x, y)) for time, x, y in zip(*numbers, strict=True)]
+
+
+def _require_columns(name: str, names: list[Any], labels: tuple[str, str, str]) -> None:
+    """Reject a table whose columns are not those with these labels, each once."""
+    unknown = [label for label in names if label not in labels]
+    if unknown or len(names) != len(labels) or {*names} != {*labels}:
+        found = ", ".join(map(str, names)) or "none"
+        otherwise = "name the columns so, and choose these three of them"
+        remedy = suggestion(unknown[0], labels, otherwise) if unknown else otherwise
+        raise InvalidValue(name, f"a table with the columns {found}", ", ".join(labels), remedy)
+
+
+def _required_column(name: str, label: str, column: Any) -> list[float]:
+    """The finite numbers in a column of a table."""
+    values = as_array(column)
+    remedy = "fill the gaps, or leave out such rows"
+    if values is None:
+        raise InvalidValue(name, f"a column {label} of other values", "finite numbers", remedy)
+    for row in np.flatnonzero(~np.isfinite(values))[:1].tolist():
+        raise InvalidValue(name, f"{values[row]} in row {row} of {label}", "finite numbers", remedy)
+    numbers: list[float] = values.tolist()
+    return numbers
 
 
 def _has_arrays(velocity: Any) -> bool:

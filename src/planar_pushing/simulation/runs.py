@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from threading import Event
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -142,16 +142,21 @@ class Run:
     @property
     def stopped(self) -> str:
         """Reason why the run ended early; empty otherwise."""
-        if self.stop == Stop.NO:
-            return ""
-        text, memory = REASONS[self.stop].text, Columns(Memory, self.runs.results[0])
-        match self.stop:
-            case Stop.SINGULAR:
-                return f"{text} {ContactMode(int(memory.mode)).name}"
-            case Stop.EVENTS:
-                events, at_once = int(memory.events), int(memory.at_once)
-                return f"{events} events, {at_once} of them {text}"
-        return text
+        return _reason(self.stop, self.runs.results[0])
+
+
+def _reason(stop: Stop, numbers: Array) -> str:
+    """Reason why a run with its numbers in memory ended early; empty for one that did not."""
+    if stop == Stop.NO:
+        return ""
+    text, memory = REASONS[stop].text, Columns(Memory, numbers)
+    match stop:
+        case Stop.SINGULAR:
+            return f"{text} {ContactMode(int(memory.mode)).name}"
+        case Stop.EVENTS:
+            events, at_once = int(memory.events), int(memory.at_once)
+            return f"{events} events, {at_once} of them {text}"
+    return text
 
 
 def _required_step(step: float | None, duration: float) -> float:
@@ -196,9 +201,21 @@ def _ends_of_steps(ends: Array, counts: Array, low: float, high: float) -> Array
     return np.concatenate([*divided, []])
 
 
-def run_scenes(
-    scenes: Scenes, times: Array, progress: bool = False
-) -> tuple[Array, npt.NDArray[np.int64]]:
+class Ends(NamedTuple):
+    """Ends of many runs: their numbers of changes of the mode, and why they ended early.
+
+    Attributes
+    ----------
+    changes : ndarray of int, shape (scenes,)
+    reasons : ndarray of object, shape (scenes,)
+        Texts; empty for a run that did not end early.
+    """
+
+    changes: npt.NDArray[np.int64]
+    reasons: npt.NDArray[np.object_]
+
+
+def run_scenes(scenes: Scenes, times: Array, progress: bool = False) -> tuple[Array, Ends]:
     """Run many scenes in threads, a block of them at a time.
 
     Parameters
@@ -211,13 +228,13 @@ def run_scenes(
 
     Returns
     -------
-    ndarray, shape (scenes, samples, width), and ndarray, shape (scenes,)
-        Rows in the units of the scenes, and numbers of changes of the mode. For a scene that stops early,
-        the last row is repeated for the later times.
+    ndarray, shape (scenes, samples, width), and Ends
+        Rows in the units of the scenes, and how the runs ended. For a scene that stops early, the last row
+        is repeated for the later times.
     """
     count, samples = times.shape
     rows = np.empty((count, samples, LOG_ROW + len(scenes.problem.entries)))
-    changes, interrupted = np.zeros(count, np.int64), Event()
+    ends, interrupted = Ends(np.zeros(count, np.int64), np.full(count, "", object)), Event()
     block = 1 if scenes.problem.follows_function else BLOCK
 
     def run(start: int) -> None:
@@ -229,11 +246,14 @@ def run_scenes(
             runs.advance()
             before, finished = finished, int(runs.ended.sum())
             bar.update(finished - before)
-        rows[part], changes[part] = runs.log(), Columns(Memory, runs.results).changes
+        rows[part], ends.changes[part] = runs.log(), Columns(Memory, runs.results).changes
+        for i in np.flatnonzero(Columns(LogRow, rows[part, -1]).stopped).tolist():
+            stop = Stop(int(Columns(LogRow, rows[start + i, -1]).stopped))
+            ends.reasons[start + i] = _reason(stop, runs.results[i])
 
     with progress_bar(count, "scene", progress) as bar:
         in_threads(run, range(0, count, block), interrupted)
-    return rows, changes
+    return rows, ends
 
 
 class NoBar:

@@ -17,7 +17,6 @@ from planar_pushing.terms.options import BEHIND, FLAGS
 from planar_pushing.terms.quantities import (
     DATASET,
     GLOBAL,
-    MODELS,
     NOTES,
     PAPER,
     SLIDERS,
@@ -27,6 +26,7 @@ from planar_pushing.terms.quantities import (
 )
 from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE
 from pulling_by_pushing.study.model import Part
+from pulling_by_pushing.study.quantities import MODELS
 
 
 def describe(

@@ -216,6 +216,15 @@ BODY = {
     "y = look(zeros(3))": "call of zeros",
     "y, z = zeros(3), x": "call of zeros",
     "y, z = zeros(3)": "rows of zeros for another number of names",
+    "y = zeros(2)\nheld = Held(pair, y)": (
+        "+1 row of zeros in a Held; pass it to a function that makes one"
+    ),
+    "y = zeros(2)\nheld = Held(row=y[1:], pair=pair)": (
+        "+1 row of zeros in a Held; pass it to a function that makes one"
+    ),
+    "y = zeros(2)\nheld = Held(pair, Mark(y))": (
+        "+1 row of zeros in a Held; pass it to a function that makes one"
+    ),
     "y = nothing()": "y = ... where it is a row of zeros, or has no value",
     "y = store(row, x) + row[0]": TWICE,
     "y = look(row) * store(row, x)": TWICE,

@@ -2,6 +2,7 @@
 
 import base64
 import io
+import os
 import subprocess
 import sys
 
@@ -280,7 +281,8 @@ def test_any_support_is_animated_in_a_notebook_or_a_file(logs, tmp_path, name):
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ({"path": "a.mp4"}, "output: 'a.mp4' given; allowed: a name ending in .gif; rename the file"),
+        ({"path": "a.webm"},
+         "output: 'a.webm' given; allowed: a name ending in .gif or, with the program ffmpeg, in .mp4; "),
         ({"path": 1}, "path: 1 given; allowed: the path of a file"),
         ({"frames": 1}, "frames: 1 given; allowed: a whole number from 2 to 1000; choose another number"),
         ({"frames_per_second": 0.0},
@@ -292,6 +294,56 @@ def test_wrong_options_of_an_animation_are_one_line(logs, options, said):
         pp.animate(logs["slipping"], **options)
     assert str(caught.value).startswith(said)
     assert "\n" not in str(caught.value)
+
+
+@pytest.fixture
+def ffmpeg(tmp_path, monkeypatch):
+    """Put a program that stands for ffmpeg on the path, a shell script."""
+
+    def install(script):
+        program = tmp_path / "bin/ffmpeg"
+        program.parent.mkdir()
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+        monkeypatch.setenv("PATH", f"{program.parent}:{os.defpath}")
+
+    return install
+
+
+def test_a_video_is_what_ffmpeg_makes_of_the_animation(logs, ffmpeg, tmp_path):
+    ffmpeg('for file; do :; done; cat > "$file"; echo "$@" > "$0.txt"')
+    found = pp.animate(logs["slipping"], tmp_path / "a.MP4", frames=2)
+    found.save(tmp_path / "b.mp4")
+    assert (tmp_path / "a.MP4").read_bytes() == (tmp_path / "b.mp4").read_bytes() == found.gif
+    words = (tmp_path / "bin/ffmpeg.txt").read_text().split()
+    assert words[words.index("-i") - 2 :][:4] == ["-f", "gif", "-i", "pipe:0"]
+    assert words[-3:-1] == ["-f", "mp4"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.MP4", "b.mp4", "bin"]
+
+
+def test_a_video_that_fails_is_one_line_and_no_file(logs, ffmpeg, tmp_path):
+    ffmpeg("echo first >&2; echo 'Unknown encoder' >&2; exit 1")
+    animation = pp.animate(logs["slipping"], frames=2)
+    with pytest.raises(pp.InvalidFile) as caught:
+        animation.save(tmp_path / "b.mp4")
+    assert str(caught.value) == (
+        f"{tmp_path / 'b.mp4'}: ffmpeg: Unknown encoder; update ffmpeg, or give a name ending in .gif"
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["bin"]
+
+
+def test_without_ffmpeg_a_video_is_refused_before_a_frame_is_drawn(logs, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    animation = pp.animate(logs["slipping"], frames=2)
+    monkeypatch.setattr("planar_pushing.drawing.animate._pictures", None)
+    said = (
+        "allowed: a name ending in .gif, since the program ffmpeg is not found; install ffmpeg, or"
+    )
+    for write in (animation.save, lambda path: pp.animate(logs["slipping"], path)):
+        with pytest.raises(pp.InvalidValue, match=said):
+            write(tmp_path / "b.mp4")
+    animation.save(tmp_path / "b.gif")
+    assert (tmp_path / "b.gif").read_bytes() == animation.gif
 
 
 @pytest.mark.parametrize("function", [pp.animate, pp.plot_log])

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import math
+import pickle
 import time
+from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 from mechanics.builders import make_scene
@@ -122,3 +126,81 @@ def test_waypoints_are_pieces_of_constant_velocity():
     pushers = [pp.Pusher(velocity=velocity), pp.Pusher(waypoints=waypoints)]
     xr.testing.assert_identical(*(run(SCENE, each, 2.0) for each in pushers))
     xr.testing.assert_identical(*(pp.simulate_batch(SCENE, each, duration=2.0) for each in pushers))
+
+
+ROWS = [(0.0, 0.1, 1.0), (0.2, 0.0, 0.5), (0.5, -0.1, 0.0)]
+PIECES = [(start, (x, y)) for start, x, y in ROWS]
+#: The same velocities in the forms in which tables are read.
+TABLES = {
+    "array": np.array(ROWS),
+    "labeled": xr.DataArray(ROWS),
+    "frame": pd.DataFrame(ROWS, columns=["time", "v_x", "v_y"], index=[7, 8, 9]),
+    "other order": pd.DataFrame(ROWS, columns=["time", "v_x", "v_y"])[["v_y", "time", "v_x"]],
+    "records": np.array(ROWS, dtype=[("time", "f4"), ("v_x", "f8"), ("v_y", "f8")]),
+    "csv": pd.read_csv(io.StringIO("time,v_x,v_y\n0,0.1,1\n0.2,0,0.5\n0.5,-0.1,0\n")),
+}
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_a_table_of_velocities_is_a_sequence_of_pieces(name):
+    single = pytest.approx(np.float32(0.2), abs=0) if name == "records" else 0.2
+    pusher = pp.Pusher(velocity=TABLES[name], shape="finger")
+    assert [start for start, _ in pusher.pieces] == [0.0, single, 0.5]
+    assert [velocity for _, velocity in pusher.pieces] == [(0.1, 1.0), (0.0, 0.5), (-0.1, 0.0)]
+    if name != "records":
+        assert pusher == pp.Pusher(velocity=PIECES, shape="finger")
+    assert pickle.loads(pickle.dumps(pusher)) == replace(pusher) == pusher
+
+
+@pytest.mark.parametrize("name", ["array", "frame"])
+def test_runs_and_batches_with_a_table_are_those_with_pieces(name):
+    table, pieces = (pp.Pusher(velocity=value) for value in (TABLES[name], PIECES))
+    assert run(SCENE, table, 0.8).identical(run(SCENE, pieces, 0.8))
+    angles = make_scene(2, 0.5, psi=np.array([0.8, 1.1]))
+    batches = [pp.simulate_batch(angles, pusher, duration=0.8) for pusher in (table, pieces)]
+    assert batches[0].identical(batches[1])
+
+
+def test_an_assessment_with_a_table_is_that_with_pieces():
+    table, pieces = (
+        pp.assess_push(SCENE, pp.Pusher(velocity=value), duration=0.8)
+        for value in (TABLES["frame"], PIECES)
+    )
+    assert table.effects.identical(pieces.effects)
+    assert table.inputs.identical(pieces.inputs)
+
+
+def test_waypoints_are_a_table_too():
+    path = [(0.0, (0.0, 0.0)), (0.5, (0.0, 0.4)), (1.0, (0.2, 0.6))]
+    rows = pd.DataFrame([(time, *position) for time, position in path], columns=["time", "x", "y"])
+    wanted = pp.Pusher(waypoints=path)
+    assert pp.Pusher(waypoints=rows) == pp.Pusher(waypoints=rows.to_numpy()) == wanted
+
+
+FRAME = TABLES["csv"]
+WRONG_TABLES = {
+    "unknown": (
+        FRAME.rename(columns={"v_x": "vx"}),
+        "a table with the columns time, vx, v_y' given; allowed: time, v_x, v_y; did you mean v_x?",
+    ),
+    "one more": (FRAME.assign(omega=0.0), "time, v_x, v_y, omega' given; allowed: time, v_x, v_y; name"),
+    "one less": (FRAME[["time", "v_x"]], "time, v_x' given; allowed: time, v_x, v_y; name"),
+    "twice": (FRAME[["time", "v_x", "v_x"]], "time, v_x, v_x' given; allowed: time, v_x, v_y; name"),
+    "shape": (np.ones((2, 5)), "an array of shape (2, 5)' given; allowed: shape (rows, 3); give time,"),
+    "empty": (np.ones((0, 3)), "velocity: "),
+    "gap": (FRAME.replace({"v_y": {0.5: np.nan}}), "nan in row 1 of v_y' given; allowed: finite numbers"),
+    "text": (FRAME.astype({"v_x": str}), "a column v_x of other values' given; allowed: finite"),
+    "masked": (np.ma.masked_equal(ROWS, 0.5), "a column time of other values' given; allowed: finite"),
+    "order": (FRAME[::-1], "start times that begin at 0 and increase"),
+    "fast": (FRAME.replace({"v_y": {0.5: 1e200}}), "velocity"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", WRONG_TABLES)
+def test_a_wrong_table_is_refused_in_one_line(name):
+    table, words = WRONG_TABLES[name]
+    with pytest.raises(pp.InvalidValue) as refusal:
+        pp.Pusher(velocity=table)
+    assert words in str(refusal.value)
+    assert str(refusal.value).startswith("velocity: ")
+    assert "\n" not in str(refusal.value)

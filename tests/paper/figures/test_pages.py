@@ -12,7 +12,6 @@ from planar_pushing.terms.errors import InvalidFile
 from pulling_by_pushing.figures.pages import __main__ as pages
 from pulling_by_pushing.figures.pages import markdown
 from pulling_by_pushing.figures.pages.cells import run_cells
-from pulling_by_pushing.figures.pages.numbers import format_number
 
 #: What a page needs of the results: numbers, a verdict, datasets.
 FROM_RESULTS = re.compile(r"\{number\}|results/tables|open_dataset\(")
@@ -112,7 +111,9 @@ def test_what_plain_markdown_cannot_show_is_refused(project, text, said):
 
 
 def test_numbers():
-    written = [format_number(text) for text in ("129600", "1e-08", "2.5e+3", "-3.0", "1234")]
+    written = [
+        markdown.format_number(text) for text in ("129600", "1e-08", "2.5e+3", "-3.0", "1234")
+    ]
     assert written == ["129\u202f600", "10⁻⁸", "2.5 \u00d7 10³", "\u22123.0", "1234"]
 
 

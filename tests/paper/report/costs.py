@@ -9,7 +9,8 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.terms.netcdf import write_dataset
-from planar_pushing.terms.quantities import COSTS, attributes
+from planar_pushing.terms.quantities import attributes
+from pulling_by_pushing.study.quantities import COSTS
 from pulling_by_pushing.study.store import read_dataset
 
 STORED = Path("tests/golden/accuracy.nc")

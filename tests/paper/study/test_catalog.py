@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from planar_pushing.terms.quantities import DATASET, MODELS, SLIDERS
+from planar_pushing.terms.quantities import DATASET, SLIDERS
 from pulling_by_pushing.study.catalog import (
     CONTACT_LAWS,
     DATASETS,
@@ -19,6 +19,7 @@ from pulling_by_pushing.study.catalog import (
     number_label,
 )
 from pulling_by_pushing.study.model import SECTIONS, Grid
+from pulling_by_pushing.study.quantities import MODELS
 
 
 def test_axes_are_those_of_the_grid():

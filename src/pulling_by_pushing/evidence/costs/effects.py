@@ -17,11 +17,11 @@ from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import STUDIED, Method
-from planar_pushing.terms.quantities import EFFECT_COSTS
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.catalog import EVIDENCE
 from pulling_by_pushing.study.describe import describe
 from pulling_by_pushing.study.model import StudyFile
+from pulling_by_pushing.study.quantities import EFFECT_COSTS
 from pulling_by_pushing.study.running.build import Attributes, write_built
 from pulling_by_pushing.study.study_file import load_study
 

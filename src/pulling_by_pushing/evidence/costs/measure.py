@@ -19,7 +19,6 @@ from flint import arb, fmpq
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.scenes.files import load_scene_file
-from planar_pushing.terms.quantities import COSTS
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.costs.methods import (
     METHODS,
@@ -39,6 +38,7 @@ from pulling_by_pushing.oracle.shapes import support
 from pulling_by_pushing.oracle.support import friction
 from pulling_by_pushing.study.catalog import EVIDENCE
 from pulling_by_pushing.study.describe import describe
+from pulling_by_pushing.study.quantities import COSTS
 from pulling_by_pushing.study.running.build import Attributes, write_built
 
 #: Number of times that each call is timed.

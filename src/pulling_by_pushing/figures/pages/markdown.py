@@ -13,7 +13,6 @@ from PIL import Image
 
 from planar_pushing.terms.errors import InvalidFile
 from pulling_by_pushing.figures.pages.cells import Shown, run_cells
-from pulling_by_pushing.figures.pages.numbers import NUMBERS, format_number
 
 #: Folders of the sources, of the rendered pages, and of the stored images of figures.
 SOURCE, OUTPUT, IMAGES = Path("paper/manual"), Path("docs"), Path("tests/golden/images")
@@ -29,6 +28,13 @@ LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
 CELL = re.compile(r"^```\{code-cell\} ipython3\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 #: Pages that only the built manual shows: their text comes from docstrings, commands and the ledger.
 BUILT = ("reference/", "gallery.md", "theory/proofs.md", "index.md")
+#: File of numbers by key, in the folder of the tables.
+NUMBERS = "numbers.json"
+#: Symbols appended to numbers with these units; the text names all other units.
+MARKS = {"degree": "°", "percent": " %"}
+#: A number with an exponent, and the superscript digits.
+POWER = re.compile(r"\b([\d.]+)e([+-]\d+)\b")
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class Rendered(NamedTuple):
@@ -182,3 +188,15 @@ class _Page:
     def _unknown(self, kind: str) -> InvalidFile:
         allowed = "number, eq, py:, code-cell, figure, literalinclude, math, toctree"
         return InvalidFile(f"{SOURCE / self.page}: {{{kind}}}; allowed: {allowed}")
+
+
+def format_number(text: str, unit: str = "") -> str:
+    """A number formatted for text: a minus sign, powers of ten, separated thousands, and a symbol."""
+    if text.isdigit() and len(text) > 4:
+        return f"{int(text):,}".replace(",", "\u202f") + MARKS.get(unit, "")
+    return POWER.sub(_power, text).replace("-", "\u2212") + MARKS.get(unit, "")
+
+
+def _power(power: re.Match[str]) -> str:
+    ten = "10" + str(int(power[2])).translate(RAISED)
+    return ten if power[1] == "1" else f"{power[1]} \u00d7 {ten}"

@@ -7,29 +7,17 @@ at any time.
 
 from __future__ import annotations
 
-from math import sqrt
-
 from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.integration.event_search import (
     MISJUDGED,
     NOTHING,
     UNNOTICED,
     first_event,
-    look_for_kink,
     sign_of_guard,
 )
-from planar_pushing.core.motion.integration.explicit import scale_velocities
 from planar_pushing.core.motion.integration.integrator import (
-    attempt_step,
-    begin_steps,
-    choose_method,
-    count_relaxations,
     interpolate_state,
-    keeps_energy,
     makes_progress,
-    next_size,
-    smaller_size,
-    smallest_size,
 )
 from planar_pushing.core.motion.integration.log import (
     end_log,
@@ -37,6 +25,7 @@ from planar_pushing.core.motion.integration.log import (
     next_log_row,
     write_instant,
 )
+from planar_pushing.core.motion.integration.one_step import take_small_error_step
 from planar_pushing.core.motion.kinematics.corner import leave_corner
 from planar_pushing.core.motion.kinematics.fence import end_of_fence, fence_displacement, span_at
 from planar_pushing.core.motion.kinematics.mode import NO_MODE, Mode, contact_mode_of
@@ -55,12 +44,10 @@ from planar_pushing.core.motion.kinematics.system import (
     CAUSES,
     CENTER_DOWN,
     END_OF_SIDE,
-    FIRST_RATES,
     GOES_ON,
     INCONSISTENT,
     KINK,
     LAID_DOWN,
-    LAST_RATES,
     NO_PROGRESS,
     PASSING,
     PENETRATES,
@@ -79,7 +66,6 @@ from planar_pushing.core.motion.kinematics.system import (
     System,
     copy_numbers,
     guards_of,
-    is_massive,
     prepare_system,
     scale_state,
     system_of,
@@ -91,7 +77,6 @@ from planar_pushing.core.motion.kinematics.wall import (
     confine_finger,
     go_to_next_piece,
     is_closed,
-    longest_step,
     open_wall,
     roll_on_to_next,
     room_on_piece,
@@ -111,7 +96,7 @@ from planar_pushing.core.motion.modes.choice import (
     current_mode,
     current_policy,
 )
-from planar_pushing.core.motion.modes.equations import motion_in_mode, write_rates
+from planar_pushing.core.motion.modes.equations import motion_in_mode
 from planar_pushing.core.motion.modes.guards import write_guards
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.supports.tolerances import RATTLES, SLACK
@@ -132,8 +117,6 @@ MOST_EVALUATIONS = 5e7
 #: error of the pose of the order of its square: where a support point stays near the center of rotation,
 #: friction can make the last part of the motion singular.
 NEARLY_STOPPED = 1e-6
-#: Above this error, in units of the tolerance, a trial step gives no information.
-WILD = 1e5
 
 
 def run_events(
@@ -314,7 +297,7 @@ def _take_step(system: System) -> None:
     progresses: bool = makes_progress(system)
     if run.evaluations > MOST_EVALUATIONS:
         _stop(run, TOO_MUCH_WORK)
-    elif progresses and _advance(system, mode):
+    elif progresses and take_small_error_step(system, mode):
         cause = first_event(system, mode)
         run.cause = cause
         run.phase = CHANGES if cause == MISJUDGED else SAMPLES
@@ -338,45 +321,6 @@ def _stop_slider(system: System, mode: Mode) -> None:
     run.cause, run.phase = SLIDER_STOPS, CHANGES
     if reason != GOES_ON:
         _stop(run, reason)
-
-
-def _advance(system: System, mode: Mode) -> bool:
-    """Take one step, with a size at which the error is small; return whether there is one."""
-    run, end = system.run, mode.during.end
-    if run.kink_side < 0 and run.time >= run.kink:
-        run.kink_side = 1
-    rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run.time)
-    if run.fresh:
-        write_rates(system, mode, run.time, vector_of(system, STATE), rates)
-        begin_steps(system, mode, end)
-    else:
-        copy_numbers(rates, vector_of(system, LAST_RATES), system.entries)
-        choose_method(run)
-    if is_massive(system):
-        scale_velocities(system, mode)
-    size, last_size, last_error = max(run.planned, smallest), 0.0, 0.0
-    speed = sqrt(rates.along * rates.along + rates.gap * rates.gap)
-    longest = longest_step(system, mode, guards_of(system, VALUES)[PENETRATES], speed)
-    end = min(end, run.time + max(longest, smallest))
-    while size >= smallest:
-        bound = min(end, run.kink) if run.kink_side < 0 else end
-        run.until, run.prepared = min(run.time + size, bound), False
-        size = run.until - run.time
-        error = attempt_step(system, mode)
-        balances: bool = error >= 1.0 or keeps_energy(system, mode)
-        if error < 1.0 and balances:
-            planned = next_size(run, size, error)
-            run.planned = min(planned, size) if last_size > 0.0 else planned
-            run.last_size, run.last_error = size, error
-            count_relaxations(system)
-            return True
-        if run.kink_side >= 0 and error < WILD and balances:
-            look_for_kink(system, mode)
-        smaller = size / 2.0
-        if balances:
-            smaller = smaller_size(size, error, last_size, last_error)
-        last_size, last_error, size = size, error, smaller
-    return False
 
 
 def _go_to_end_of_step(system: System) -> None:
