@@ -8,16 +8,12 @@ mechanics, the simulation and the stability.
 from __future__ import annotations
 
 import argparse
-import hashlib
-import json
 import os
 import subprocess
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-ROOMS = [f"tests/library/{room}" for room in ("core", "mechanics", "simulation", "stability")]
-RESULTS = "results.json"
 
 
 def main() -> None:
@@ -27,10 +23,14 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="which changes (a whole number)")
     parser.add_argument("--count", type=int, default=100, help="how many changes (a whole number)")
     parser.add_argument("--only", metavar="N,N,...", help="the numbers of the changes to try")
-    parser.add_argument("--caught", type=Path, metavar="FILE", help="try those caught in these results")
+    parser.add_argument(
+        "--caught", type=Path, metavar="FILE", help="try those caught in these results"
+    )
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="tests at a time")
     parser.add_argument("--seconds", type=float, default=60.0, help="for each change (s)")
-    parser.add_argument("--tests", action="store_true", help="keep the library, copy only the tests")
+    parser.add_argument(
+        "--tests", action="store_true", help="keep the library, copy only the tests"
+    )
     options = parser.parse_args()
     folder = options.folder.resolve()
     sys.path.insert(0, str(HERE.parent))

@@ -1,7 +1,7 @@
 """Single changes of the core: signs, comparisons, indices, constants, and guards that are dropped.
 
-A change replaces one expression. Those of a kind are ordered by a digest of the seed and their text, so that
-an edit of the core leaves the others selected as they are.
+A change replaces one expression. Those of a kind are ordered by a digest of the seed and their text, so
+that an edit of the core leaves the others selected as they are.
 """
 
 from __future__ import annotations

@@ -11,7 +11,6 @@ import os
 import resource
 import select
 import signal
-import sys
 import time
 from collections import defaultdict
 from collections.abc import Callable, Iterator
@@ -25,7 +24,15 @@ MOST_OF_ONE = 10.0
 #: Seconds until a fork that only waits is ended, and bytes that it can have.
 LONGEST, MEMORY = 900.0, 6 << 30
 #: They compare the two forms of the core, which have the same change, or compile or join it.
-LEFT_OUT = {"test_same_bits.py", "test_plain.py", "test_build.py", "test_joiner.py", "test_processes.py"}
+LEFT_OUT = {
+    "test_same_bits.py",
+    "test_plain.py",
+    "test_build.py",
+    "test_joiner.py",
+    "test_processes.py",
+}
+#: In the place of a failure, after the last test for which there was time.
+LATE = "time"
 
 
 class Loop:
@@ -72,17 +79,7 @@ class Loop:
         jobs = {k: (k, self._tests_of(k, items)) for k in self.numbers}
         for number, lines, ended in self._fork_all(jobs, True):
             used = sum(line.get("cost", 0.0) for line in lines)
-            last = lines[-1] if lines else {"test": "", "failure": ""}
-            if ended and last["failure"] != "time":
-                what = f"caught: {last['test']}: {ended}"
-            elif last["failure"] and last["failure"] != "time":
-                what = f"caught: {last['test']}: {last['failure']}"
-            elif not jobs[number][1]:
-                what = "survives: no test reaches it"
-            else:
-                tried = f"{len(lines)} of {len(jobs[number][1])} tests"
-                what = f"survives: {tried}"
-            self.report(number, what, used)
+            self.report(number, _fate(lines, ended, len(jobs[number][1])), used)
         return True
 
     def _try_without_change(self, items: list[pytest.Function]) -> list[pytest.Function]:
@@ -117,7 +114,7 @@ class Loop:
             self.cost[line["test"]], self.reached[line["test"]] = line["cost"], line["reached"]
 
     def _tests_of(self, number: int, items: list[pytest.Function]) -> list[pytest.Function]:
-        """The tests in files that reach a change: those that reach it first, and the cheapest files first."""
+        """The tests in files that reach a change: first those that do, and the cheapest files."""
         by_file: dict[Path, list[pytest.Function]] = defaultdict(list)
         for item in items:
             by_file[item.path].append(item)
@@ -152,23 +149,17 @@ class Loop:
                 job, pid, text, _ = running[reader]
                 new = os.read(reader, 1 << 16)
                 text += new
-                if new:
-                    continue
-                os.close(reader)
-                del running[reader]
-                code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
-                lines = [json.loads(line) for line in text.decode().splitlines()]
-                lines, last = [x for x in lines if "cost" in x], lines[-1:]
-                ended = ""
-                if code:
-                    lines += [{"test": x["test"], "failure": ""} for x in last]
-                    ended = "does not end" if code in (-signal.SIGPROF, -signal.SIGKILL) else f"ends with {code}"
-                yield job, lines, ended
+                if not new:
+                    os.close(reader)
+                    del running[reader]
+                    yield job, *_read(text, os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]))
             for _, pid, _, start in running.values():
                 if time.monotonic() - start > LONGEST * (1 if stops else 10):
                     os.kill(pid, signal.SIGKILL)
 
-    def _run_tests(self, number: int, items: list[pytest.Function], writer: int, stops: bool) -> None:
+    def _run_tests(
+        self, number: int, items: list[pytest.Function], writer: int, stops: bool
+    ) -> None:
         """Run tests in a fork with a change, write a line for each, and end the process."""
         watch = _Watch()
         try:
@@ -191,7 +182,7 @@ class Loop:
                 item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
                 cost = time.process_time() - start
                 late = stops and not watch.failure and time.process_time() - begin > self.most
-                line = {"test": test, "cost": cost, "failure": "time" if late else watch.failure}
+                line = {"test": test, "cost": cost, "failure": LATE if late else watch.failure}
                 line["reached"] = [] if stops else self.core.take_reached()
                 os.write(writer, (json.dumps(line) + "\n").encode())
                 if stops and line["failure"]:
@@ -201,6 +192,27 @@ class Loop:
             os.write(writer, (json.dumps({"test": repr(error)}) + "\n").encode())
             os._exit(3)
         os._exit(0)
+
+
+def _read(text: bytearray, code: int) -> tuple[list[dict[str, Any]], str]:
+    """The lines of a fork, the last one of the test in which it ended, and how it was ended."""
+    lines = [json.loads(line) for line in text.decode().splitlines()]
+    complete = [line for line in lines if "cost" in line]
+    if not code:
+        return complete, ""
+    complete += [{"test": line["test"], "failure": ""} for line in lines[-1:]]
+    killed = code in (-signal.SIGPROF, -signal.SIGKILL)
+    return complete, "does not end" if killed else f"ends with {code}"
+
+
+def _fate(lines: list[dict[str, Any]], ended: str, count: int) -> str:
+    """What became of a change, from the lines of its fork and the number of tests that might notice it."""
+    if not count:
+        return "survives: no test reaches it"
+    failure = lines[-1]["failure"] if lines else ""
+    if failure != LATE and (ended or failure):
+        return f"caught: {lines[-1]['test']}: {ended or failure}"
+    return f"survives: {len(lines)} of {count} tests"
 
 
 class _Watch:

@@ -1,7 +1,7 @@
 """A copy of the project whose core has switches: a number, given as it runs, chooses the change.
 
-An expression with a change becomes ``(changed if is_mutant(7) else original)``, in the plain source and in the
-compiled library alike. The library is compiled once.
+An expression with a change becomes ``(changed if is_mutant(7) else original)``, in the plain source and in
+the compiled library alike. The library is compiled once.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import copy
 import json
+import runpy
 import shutil
 import sys
 import tempfile
@@ -151,7 +152,7 @@ def _compile(core: Path, size: int) -> None:
     _, rest = body.split("\n", 1)
     source = COMPILED.format(size=size) + head + rest + CHOICE.format(size=size)
     numbers.write_text(text + PLAIN, encoding="utf-8")
-    digest = hook.runpy.run_path(str(core / "__init__.py"))["digest"](sorted(core.rglob("[!_]*.py")))
+    digest = runpy.run_path(str(core / "__init__.py"))["digest"](sorted(core.rglob("[!_]*.py")))
     marks = module.MARKS.format(f"sources {digest}", "recipe mutants")
     with tempfile.TemporaryDirectory() as name:
         text = module.text_of(joined._replace(source=source)) + marks
