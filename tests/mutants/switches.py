@@ -69,6 +69,7 @@ def build_mutants(folder: Path, seed: int, count: int) -> list[dict[str, Any]]:
         The changes, as the file ``changes.json`` of the folder has them.
     """
     _copy(folder, COPIED)
+    (folder / "baseline.jsonl").unlink(missing_ok=True)  # the record of tests without a change
     core = folder / "src/planar_pushing/core"
     trees = {
         path.relative_to(core): ast.parse(path.read_text(encoding="utf-8"))
