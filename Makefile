@@ -31,7 +31,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images front pages dictionary lock report jobs-report manual clean help
+.PHONY: all test test-all test-processors test-slurm test-drags mutants lint coverage bench golden images front pages dictionary lock report jobs-report manual clean help
 .DELETE_ON_ERROR:
 
 # One make at a time. The operating system releases the lock when its process ends, even if it is killed.
@@ -78,6 +78,10 @@ test-slurm: $(CORE) ## run a study in chunks on a private Slurm, including failu
 
 test-drags: $(CORE) ## drag parts of the explorer 20,000 times in Chromium; measure frame rate, latency and memory
 	$(BIN)/pytest -s tests/library/browser/many_drags.py
+
+FOLDER ?= build/mutants
+mutants: $(CORE) ## change the core in 107 places, one at a time, and list those that its fast tests miss; an hour
+	$(BIN)/python tests/mutants $(FOLDER)
 
 lint: $(INSTALLED)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual joiner

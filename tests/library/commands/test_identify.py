@@ -1,5 +1,7 @@
 """The command `identify`: what it prints, the scene file that other commands take, and wrong input."""
 
+import contextlib
+import io
 import json
 import re
 from dataclasses import replace
@@ -39,13 +41,23 @@ def files(pushes, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def supports(files):
-    """Scene files: with forces, on any points, and without, on a uniform pressure and corners."""
-    options = {"forces": ("--seed", "3"), "poses": ("--family", "uniform_and_corners")}
-    found = {name: files / f"{name}.yaml" for name in options}
+def printed(files):
+    """What the command prints as it writes scene files.
+
+    With forces, on any points, and without, on a uniform pressure and corners.
+    """
+    options = {"forces": ("--seed", "3"), "poses": ("--family", "uniform_and_corners", "--json")}
+    said = {name: io.StringIO() for name in options}
     for name, given in options.items():
-        assert main(["identify", str(files / f"{name}.nc"), *given, "-o", str(found[name])]) == 0
-    return found
+        output = ("-o", str(files / f"{name}.yaml"))
+        with contextlib.redirect_stdout(said[name]):
+            assert main(["identify", str(files / f"{name}.nc"), *given, *output]) == 0
+    return {name: each.getvalue() for name, each in said.items()}
+
+
+@pytest.fixture(scope="module")
+def supports(files, printed):
+    return {name: files / f"{name}.yaml" for name in printed}
 
 
 @pytest.fixture(scope="module")
@@ -57,10 +69,8 @@ def content(path):
     return YAML(typ="safe", pure=True).load(path)
 
 
-def test_what_is_printed_is_what_identify_finds(run, files, tmp_path, found):
-    path = tmp_path / "support.yaml"
-    code, out, err = run("identify", str(files / "forces.nc"), "--seed", "3", "-o", str(path))
-    assert (code, err) == (0, "")
+def test_what_is_printed_is_what_identify_finds(printed, found):
+    out = printed["forces"]
     said = dict(re.findall(r"^(\w+)(?: \[.*?\])?:? +(.*)$", out, re.MULTILINE))
     x, y = found.center_of_pressure
     values = {
@@ -137,23 +147,11 @@ def test_other_commands_take_the_scene(run, supports, tmp_path, name):
     assert {each.name for each in tmp_path.iterdir()} == {"log.nc", "scene.svg"}
 
 
-def test_without_forces_the_weight_is_1_and_is_said_to_be_unknown(run, files, supports, tmp_path):
-    path = tmp_path / "support.yaml"
-    given = (
-        "identify",
-        str(files / "poses.nc"),
-        "--family",
-        "uniform_and_corners",
-        "-o",
-        str(path),
-    )
-    code, out, err = run(*given, "--json")
-    assert (code, err) == (0, "")
-    told = json.loads(out)
+def test_without_forces_the_weight_is_1_and_is_said_to_be_unknown(printed, supports):
+    path, told = supports["poses"], json.loads(printed["poses"])
     assert told["weight"] is None
     assert told["intervals"]["weight"] == [None, None]
     assert (told["feet"], told["in_a_facet"]) == (None, None)
-    assert path.read_text() == supports["poses"].read_text()
     written = content(path)
     assert written["effects"] == [{"type": "support_friction", "weight": 1.0}]
     assert written["title"].endswith("the weight is unknown and set to 1")

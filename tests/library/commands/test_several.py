@@ -160,15 +160,26 @@ def test_a_log_of_several_contacts_is_no_animation(run, refused, tmp_path):
     refused(["animate", str(path), "-o", str(tmp_path / "a.gif")], said)
 
 
-def test_garbage_is_refused_in_one_line(run, tmp_path):
+def words_of(text):
+    """The numbers of a scene file, as they are written."""
+    words = text.replace(",", " ").replace("}", " ").split()
+    return [word for word in words if word[-1].isdigit()]
+
+
+GARBAGE = ("{}", "1e999", "null")
+WORDS = words_of(Path(FINGERS).read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize(
+    "every",
+    [False, pytest.param(True, marks=pytest.mark.slow)],
+    ids=["one of three for each value", "all for each value"],
+)
+def test_garbage_is_refused_in_one_line(run, tmp_path, every):
     """Each value of the file in turn is replaced by what it cannot be; the line names the file."""
-    text = Path(FINGERS).read_text(encoding="utf-8")
-    words = [
-        word for word in text.replace(",", " ").replace("}", " ").split() if word[-1].isdigit()
-    ]
-    path = tmp_path / "scene.yaml"
-    for number, word in enumerate(words):
-        for instead in ("{}", "1e999", "null"):
+    text, path = Path(FINGERS).read_text(encoding="utf-8"), tmp_path / "scene.yaml"
+    for number, word in enumerate(WORDS):
+        for instead in GARBAGE if every else (GARBAGE[number % len(GARBAGE)],):
             parts = text.split(word)
             path.write_text(f"{parts[0]}{instead}{word.join(parts[1:])}", encoding="utf-8")
             code, out, err = run("solve", str(path))

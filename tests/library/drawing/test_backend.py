@@ -19,7 +19,7 @@ print(os.environ.get("MPLBACKEND"), matplotlib.rcParams._get_backend_or_none())
 
 @pytest.mark.parametrize(("named", "left"), [
     ("module://ipympl.backend_nbagg", "None None"),
-    ("module://matplotlib_inline.backend_inline", None),
+    pytest.param("module://matplotlib_inline.backend_inline", None, marks=pytest.mark.slow),
     ("svg", "svg svg"),
 ])  # fmt: skip
 def test_a_backend_that_is_not_there_is_forgotten(named, left):
@@ -35,6 +35,7 @@ def test_a_backend_that_is_not_there_is_forgotten(named, left):
     assert left in (None, done.stdout.strip())
 
 
+@pytest.mark.slow
 def test_a_command_draws_from_a_notebook(tmp_path):
     words = ["draw", "workflow/scenes/figure_03.yaml", "-o", str(tmp_path / "scene.svg")]
     environment = os.environ | {"MPLBACKEND": "module://ipympl.backend_nbagg"}

@@ -296,6 +296,8 @@ def test_the_force_acts_on_the_fence_and_within_its_side(data, name):
 @pytest.mark.parametrize("name", RUNS)
 def test_an_instant_has_a_side_or_a_rod(data, name):
     motion = data[name]
+    low, high = box(motion)
+    slack, touch = 0.08 * np.ptp((low, high), axis=0).max(), contact(motion)
     for at in range(0, motion.sizes["time"], 7):
         marks, origin = marks_at(motion, at), pose(motion, at).origin
         dots = [mark.position for mark in marks if isinstance(mark, Dot) and mark.face == SLIDER]
@@ -304,13 +306,11 @@ def test_an_instant_has_a_side_or_a_rod(data, name):
         rods = [line for line in lines if len(line) == 2 and np.array_equal(line[1], origin)]
         if side is None:
             (rod,) = rods
-            assert rod[0] == pytest.approx(contact(motion)[at])
+            assert rod[0] == pytest.approx(touch[at])
             assert any(np.array_equal(rod[0], dot) for dot in dots)
         else:
             assert not rods
             assert all(any(np.array_equal(end, dot) for dot in dots) for end in side)
-        low, high = box(motion)
-        slack = 0.08 * np.ptp((low, high), axis=0).max()
         for mark in marks:
             points = points_of(mark)
             assert ((points >= low - slack) & (points <= high + slack)).all(), mark

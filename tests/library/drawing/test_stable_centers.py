@@ -10,6 +10,14 @@ import planar_pushing as pp
 from planar_pushing.drawing.stable_centers import View, rings
 
 SHAPE = np.array([6.0, 4.0])
+#: A scene of each kind of picture: both areas, feet, no area, all of the plane, a line.
+FEW = [
+    "square",
+    "four feet",
+    "feet on a slanted line",
+    "square, rough",
+    "square, no friction at the fence",
+]
 
 
 @pytest.fixture(autouse=True)
@@ -58,9 +66,12 @@ def test_each_curve_has_its_reason(name, words):
     assert texts(given) >= words
 
 
-def test_every_scene_can_be_drawn():
-    for flush in SCENES.values():
-        ax = pp.plot_stable_centers(flush.scene)
+@pytest.mark.parametrize(
+    "names", [FEW, pytest.param([*SCENES], marks=pytest.mark.slow)], ids=["few", "all"]
+)
+def test_every_scene_can_be_drawn(names):
+    for name in names:
+        ax = pp.plot_stable_centers(SCENES[name].scene)
         ax.figure.canvas.draw()
         plt.close(ax.figure)
 

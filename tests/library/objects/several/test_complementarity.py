@@ -8,8 +8,8 @@ from objects.several.scenes import compare, degenerate_scene, modes_of, random_s
 import planar_pushing as pp
 
 #: Scenes by the number of contacts and the seed: those of every test run, and all.
-FEW = [(2, seed) for seed in range(60)] + [(3, seed) for seed in range(5000, 5015)]
-MANY = [(2, seed) for seed in range(60, 500)] + [(3, seed) for seed in range(5015, 5060)]
+FEW = [(2, seed) for seed in range(20)] + [(3, seed) for seed in range(5000, 5005)]
+MANY = [(2, seed) for seed in range(20, 500)] + [(3, seed) for seed in range(5005, 5060)]
 MANY += [(4, seed) for seed in range(6000, 6015)]
 
 
@@ -20,10 +20,10 @@ def require_equal(scene, seed, starts):
     return answer
 
 
-@pytest.mark.parametrize("part", range(5))
+@pytest.mark.parametrize("part", range(2))
 def test_random_scenes(part):
     answers = [
-        require_equal(random_scene(seed, count), seed, 200 * count) for count, seed in FEW[part::5]
+        require_equal(random_scene(seed, count), seed, 200 * count) for count, seed in FEW[part::2]
     ]
     assert sum(map(len, answers)) >= len(answers) / 2
 
@@ -67,12 +67,11 @@ def compare_degenerate(seeds):
     return number
 
 
-@pytest.mark.parametrize("part", range(3))
-def test_degenerate_scenes(part):
-    assert compare_degenerate(range(10 * part, 10 * part + 10)) >= 8
+def test_degenerate_scenes():
+    assert compare_degenerate(range(10)) >= 8
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("part", range(12))
+@pytest.mark.parametrize("part", range(14))
 def test_many_degenerate_scenes(part):
-    assert compare_degenerate(range(30 + 10 * part, 40 + 10 * part)) >= 7
+    assert compare_degenerate(range(10 + 10 * part, 20 + 10 * part)) >= 7
