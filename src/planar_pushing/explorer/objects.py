@@ -92,7 +92,11 @@ def _with_own_ring(effect: Any, radius: float) -> Any:
 
 
 def with_object(
-    state: State, outline: Outline, effects: tuple[Any, ...], place: Place | None, side: int | None = None
+    state: State,
+    outline: Outline,
+    effects: tuple[Any, ...],
+    place: Place | None,
+    side: int | None = None,
 ) -> State:
     """State with an object that is pushed at a place, or along a side that lies on the fence."""
     point, normal = (None, None) if place is None else (place.point, place.normal)
@@ -120,7 +124,10 @@ def with_object_size(state: State, ratio: float) -> State:
     pieces = whole.pieces.copy()
     pieces[:, SCALED] *= ratio
     slider["outline"] = OUTLINE.to_file(outline_of_pieces(pieces))
-    parts = {"slider": slider, "effects": [_scaled_effect(entry, ratio) for entry in entries(state)]}
+    parts = {
+        "slider": slider,
+        "effects": [_scaled_effect(entry, ratio) for entry in entries(state)],
+    }
     if state.file.placement is not None:
         placement = state.file.placement.model_dump()
         parts["placement"] = placement | {"point": [ratio * x for x in placement["point"]]}
@@ -151,7 +158,7 @@ def even_support(outline: Outline) -> Any:
 def with_outline(state: State, outline: Outline) -> State:
     """State with an object of this outline, with even pressure over its base.
 
-    The contact stays at its place if the new outline has the same number of pieces, such as that of a box of
+    The contact stays at its place if the new outline has as many pieces as the old one, such as a box of
     another size; otherwise it is at the middle of the lowest side. The push is then followed for as long as
     it takes to cover its distance.
     """

@@ -50,8 +50,8 @@ class State:
     The file always has the section `simulate`, and its first motion is the push. `shown` is the mode of the
     solution drawn in full, `across` the second axis of the map, `time` the instant that is followed, if
     any, `handle` the handle that the keys move, and `unit` the unit in which lengths are shown, empty for
-    that of the scene. A scene with several contacts is `several`; the file is then that of the first contact
-    alone.
+    that of the scene. A scene with several contacts is `several`; the file is then that of the first
+    contact alone.
     """
 
     file: SceneFile
@@ -270,6 +270,7 @@ LENGTHS = frozenset(
         "inner",
         "outer",
         "center",
+        "origin",
         "start",
         "end",
         "positions",
