@@ -41,10 +41,9 @@ def label(name: str, state: State) -> str:
 
 
 def note(state: State) -> str:
-    """What the lengths on the page are."""
-    unit = shown_unit(state)
-    if unit:
-        return f"Lengths are in {unit}."
+    """What the lengths on the page are multiples of, if the scene has no unit."""
+    if shown_unit(state):
+        return ""
     return (
         "Lengths are multiples of one unit, which the scene does not name; "
         f"the support reaches {state.size:.4g} from its center."

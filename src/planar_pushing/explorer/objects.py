@@ -29,6 +29,7 @@ from planar_pushing.mechanics.plane import Frame, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Disc, Polygon, Ring
 from planar_pushing.objects.scene_at import place_object
+from planar_pushing.terms.options import Shape
 
 #: Columns of pieces with lengths.
 SCALED = [X, Y, RHO, LENGTH, START]
@@ -46,14 +47,15 @@ class PushedObject(NamedTuple):
         With supports, centers and forces in the object's frame.
     place : Place
         Its contact.
-    fence : Frame
-        The fence frame in the object's frame.
+    fence, body : Frame
+        The fence frame and the body frame in the object's frame.
     """
 
     outline: Outline
     effects: tuple[Any, ...]
     place: Place
     fence: Frame
+    body: Frame
 
 
 def frame_in_object(scene: Scene, origin: Any, axis: Any) -> Frame:
@@ -78,7 +80,7 @@ def object_of(state: State) -> PushedObject:
         _with_own_ring(effect, slider.radius).in_frames(body.inverse, fence.inverse)
         for effect in scene.effects
     )
-    return PushedObject(whole, effects, nearest_to(whole, np.array(fence.origin)), fence)
+    return PushedObject(whole, effects, nearest_to(whole, np.array(fence.origin)), fence, body)
 
 
 def _with_own_ring(effect: Any, radius: float) -> Any:
@@ -160,14 +162,18 @@ def with_outline(state: State, outline: Outline) -> State:
 
     The contact stays at its place if the new outline has as many pieces as the old one, such as a box of
     another size; otherwise it is at the middle of the lowest side. The push is then followed for as long as
-    it takes to cover its distance.
+    it takes to cover its distance; an object that had no outline is pushed by a finger from below.
     """
     support = even_support(outline)
     effects = tuple(_on_base(effect, support) for effect in state.scene.effects)
     place = _same_place(state, outline) or lowest_place(outline)
     side = place.piece // 2 if state.flush and outline.corners is not None else None
     changed = with_object(state, outline, effects, None if side is not None else place, side)
-    changed = with_simulation(changed, duration=duration(changed, state.magnitude))
+    options: dict[str, Any] = {"duration": duration(changed, state.magnitude)}
+    if not state.has_outline:
+        # The whole side would lie on a fence, and the contact is one point of it.
+        options |= {"pusher_shape": str(Shape.FINGER)}
+    changed = with_simulation(changed, **options)
     return with_push(changed, state.angle if state.has_outline else 90.0, state.magnitude)
 
 

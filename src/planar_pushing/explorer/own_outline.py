@@ -10,6 +10,7 @@ from planar_pushing.explorer.objects import object_of, with_outline, without_out
 from planar_pushing.explorer.state import State
 from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.outline.outline import require_outline
+from planar_pushing.mechanics.outline.plate import bounds
 from planar_pushing.mechanics.supports import Disc
 from planar_pushing.terms.errors import InvalidValue
 
@@ -54,8 +55,7 @@ def _is_box(outline: Outline) -> bool:
 
 def extent(outline: Outline) -> tuple[tuple[float, float], tuple[float, float]]:
     """Lower left and upper right corner of the box around an outline."""
-    vertices = outline.vertices()
-    (x0, y0), (x1, y1) = vertices.min(axis=0).tolist(), vertices.max(axis=0).tolist()
+    (x0, y0), (x1, y1) = (corner.tolist() for corner in bounds(outline.pieces))
     return (x0, y0), (x1, y1)
 
 

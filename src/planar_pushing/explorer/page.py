@@ -19,6 +19,7 @@ from pydantic import ValidationError
 
 from planar_pushing.explorer.address import query, refusal
 from planar_pushing.explorer.downloads import download
+from planar_pushing.explorer.field import Field
 from planar_pushing.explorer.history import History
 from planar_pushing.explorer.lengths import note
 from planar_pushing.explorer.pictures.following import (
@@ -37,7 +38,7 @@ from planar_pushing.explorer.several import lines as lines_of_contacts
 from planar_pushing.explorer.state import State
 from planar_pushing.explorer.supports import support_note
 from planar_pushing.explorer.view import Order, View, box_of, map_markup, view
-from planar_pushing.explorer.widgets import FRAMES, Field, alike, fields, update
+from planar_pushing.explorer.widgets import FRAMES, alike, fields, update
 from planar_pushing.explorer.worker import Worker
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import PlanarPushingError

@@ -42,7 +42,7 @@ LABELS = {
 }
 #: The support on the whole base of an object, and any other one.
 BASE, OWN = "base", "own"
-OTHERS = {BASE: "even pressure over the whole base", OWN: "from the scene file"}
+OTHERS = {BASE: "even pressure over the base", OWN: "from the scene file"}
 #: Part of the largest size at which a support of the gallery is within the outline.
 ROOM = 0.95
 #: Steps of the search for this size.

@@ -12,10 +12,12 @@ from bokeh.models import CustomJSTickFormatter
 from planar_pushing.explorer.field import Field, buttons, number, select, slide
 from planar_pushing.explorer.lengths import factor, label
 from planar_pushing.explorer.object_fields import object_fields
+from planar_pushing.explorer.objects import object_of
 from planar_pushing.explorer.pictures.handles import handles_of
 from planar_pushing.explorer.pictures.maps import AXES, axes_of, axis_of
 from planar_pushing.explorer.state import (
     MAGNITUDES,
+    ROUNDING,
     Handle,
     Start,
     State,
@@ -159,9 +161,9 @@ def _effects() -> dict[str, Field]:
         "effects": Field(boxes, kinds, with_kinds),
         "weight": _part("Friction W", FRICTION, "weight"),
         "mass": _part("Mass m", INERTIA, "mass"),
-        "gyration": _part("Radius of gyration", INERTIA, "gyration_radius", is_length=True),
-        "mass_x": _center("Center of mass, x", 0),
-        "mass_y": _center("Center of mass, y", 1),
+        "gyration": _part("Gyration radius", INERTIA, "gyration_radius", is_length=True),
+        "mass_x": _center("Mass center, x", 0),
+        "mass_y": _center("Mass center, y", 1),
     }
 
 
@@ -187,14 +189,19 @@ def _part(name: str, kind: EffectKind, key: str, is_length: bool = False) -> Fie
 
 
 def _center(name: str, part: int) -> Field:
-    """Field for a coordinate of the center of mass."""
+    """Field for a coordinate of the center of mass, in the object's frame if it has an outline."""
 
     def center(state: State) -> list[float]:
-        return list((effect(state, INERTIA) or {}).get("center", (0.0, 0.0)))
+        own = (effect(state, INERTIA) or {}).get("center", (0.0, 0.0))
+        point = object_of(state).body.point_out(own) if state.has_outline else np.array(own)
+        point[np.abs(point) < ROUNDING * state.size] = 0.0
+        return [float(f"{x:.9g}") for x in point.tolist()]
 
     def write(state: State, value: Any) -> State:
         length = value if value is None else value / factor(state)
-        changed = [length if index == part else old for index, old in enumerate(center(state))]
+        changed: Any = [length if index == part else old for index, old in enumerate(center(state))]
+        if state.has_outline and value is not None:
+            changed = object_of(state).body.point_in(changed).tolist()
         return with_effect(state, INERTIA, (effect(state, INERTIA) or {}) | {"center": changed})
 
     return Field(

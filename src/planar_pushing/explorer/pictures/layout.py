@@ -8,15 +8,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from planar_pushing.drawing.canvas.colors import DARK
-from planar_pushing.drawing.canvas.marks import NOTE, Label, Picture, Sheet
+from planar_pushing.drawing.canvas.marks import NOTE, Arrow, Label, Line, Picture, Sheet
 from planar_pushing.explorer.state import Handle
 from planar_pushing.mechanics.plane import Array
 
 #: Radius of a handle, free distance between two, and largest distance at which one is grabbed, in pixels.
 RADIUS, FREE, GRAB = 11.0, 5.0, 30.0
-#: Diameter of a handle in points at the smallest scale of the page, and distance of its name from it.
+#: Diameter of a handle in points at the smallest scale of the page, and distance of its name from it
+#: in pixels.
 DIAMETER, BESIDE = 17.6, 3.0
+#: Distance between samples of a line in pixels.
+SAMPLE = 4.0
+#: Color of the names.
+NAME = "#555555"
 #: Order in which handles take their places: the first ones mark a point of the slider.
 ORDER = Handle.CONTACT, Handle.ROD, Handle.PUSHER, Handle.SIZE, Handle.LINE
 #: Directions in which a handle makes room, and distances in diameters.
@@ -100,16 +104,72 @@ def nearest_spot(spots: Mapping[Handle, Spot], pixel: Array) -> Handle | None:
     return name if distances[name] < GRAB else None
 
 
+class Name(NamedTuple):
+    """A place of a name: its middle and half of its size in pixels, and how it is aligned."""
+
+    middle: Array
+    half: Array
+    align: str
+
+    @property
+    def box(self) -> Array:
+        """Its corners."""
+        return np.array([self.middle - self.half, self.middle + self.half])
+
+
 def add_names(picture: Picture, spots: Mapping[Handle, Spot], sheet: Sheet) -> None:
-    """Add the names of handles, which keep off one another and off all other labels."""
+    """Add the names of handles, each beside its own; all other labels keep off both."""
+    lines = np.concatenate([np.empty((0, 2)), *_points_of_lines(picture, sheet)])
     for spot in spots.values():
         picture.reserve(sheet.to_scene(spot.center), DIAMETER)
+    boxes = [Name(spot.center, np.full(2, RADIUS), "center").box for spot in spots.values()]
     for name, spot in spots.items():
         text = str(name)
-        wide = Label(spot.center, text, size=NOTE).extent[0]
-        offset = DIAMETER / 2 + BESIDE + wide / 2, 0.0
-        position = sheet.to_scene(spot.center)
-        picture.label(position, text, size=NOTE, color=DARK, offset=offset)
+        size = sheet.point * np.array(Label(spot.center, text, size=NOTE).extent)
+        tries = list(_names_around(spot.center, size / 2.0))
+        best = min(tries, key=lambda place: _cost(place.box, boxes, lines, sheet))
+        boxes.append(best.box)
+        edge = {"left": -1.0, "right": 1.0, "center": 0.0}[best.align]
+        right, down = (
+            best.middle + edge * best.half * np.array([1.0, 0.0]) - spot.center
+        ) / sheet.point
+        picture.label(
+            sheet.to_scene(spot.center), text, size=NOTE, color=NAME, align=best.align,
+            offset=(float(right), -float(down)), held=True,
+        )  # fmt: skip
+
+
+def _names_around(center: Array, half: Array) -> Iterator[Name]:
+    """Places of a name that touches its handle: beside it, below and above it, and at its corners."""
+    wide, high = half.tolist()
+    x, y, diagonal = RADIUS + BESIDE, RADIUS + BESIDE / 2.0 + high, 0.75 * RADIUS + BESIDE
+    sides = {"left": 1.0, "right": -1.0}
+    for align, sign in sides.items():
+        yield Name(center + sign * (x + wide) * np.array([1.0, 0.0]), half, align)
+    for sign in (1.0, -1.0):
+        yield Name(center + sign * y * np.array([0.0, 1.0]), half, "center")
+    for align, sign in sides.items():
+        for down in (1.0, -1.0):
+            offset = np.array([sign * (diagonal + wide), down * (diagonal + high / 2.0)])
+            yield Name(center + offset, half, align)
+
+
+def _points_of_lines(picture: Picture, sheet: Sheet) -> Iterator[Array]:
+    """Points on the sheet along lines and arrows."""
+    for mark in picture.marks:
+        if isinstance(mark, (Line, Arrow)):
+            points = sheet.to_sheet(mark.points)
+            along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+            distances = np.arange(0.0, along[-1], SAMPLE)[:1000]
+            yield np.stack([np.interp(distances, along, points[:, i]) for i in (0, 1)], axis=-1)
+
+
+def _cost(box: Array, others: list[Array], lines: Array, sheet: Sheet) -> float:
+    """Cost of what a name would cover: lines a little, handles and names more; it stays on the sheet."""
+    crossed = ((lines > box[0]) & (lines < box[1])).all(axis=-1).sum()
+    covered = sum(bool(((box[0] < other[1]) & (other[0] < box[1])).all()) for other in others)
+    outside = bool(((box[0] < 0.0) | (box[1] > sheet.size)).any())
+    return float(crossed + 20.0 * covered + 200.0 * outside)
 
 
 def markup_of_handles(spots: Mapping[Handle, Spot], chosen: Handle) -> str:
