@@ -150,7 +150,7 @@ def _support_fields() -> dict[str, Field]:
 def _unit_field() -> dict[str, Field]:
     def write(state: State, unit: str) -> State:
         if own_unit(state) or unit == NO_UNIT:
-            return replace(state, unit=unit)
+            return replace(state, unit="" if unit == NO_UNIT else unit)
         units = {"length": unit, "force": "N", "time": "s"}
         return replace(with_entries(state, units=units), unit="")
 

@@ -21,6 +21,8 @@ NONE, BOX, DISC, CORNERS, FILE = (
 KINDS = NONE, BOX, DISC, CORNERS
 #: Largest number of corners that the page takes.
 MOST = 200
+#: Range of a length that is entered, and the most that one side of a box can be longer than the other.
+LENGTHS, SLENDER = (1e-9, 1e9), 1e4
 #: Digits of a length on the page.
 DIGITS = 6
 #: Height of a first box for a width of 1.
@@ -92,6 +94,11 @@ def with_box(state: State, width: Any, height: Any) -> State:
     """State with a box of a width and a height in the unit of the page, about its center."""
     _require_length("Width", width)
     _require_length("Height", height)
+    if not 1.0 / SLENDER <= width / height <= SLENDER:
+        allowed = (
+            f"from {height / SLENDER:.6g} to {height * SLENDER:.6g} beside a height of {height:.6g}"
+        )
+        raise InvalidValue("Width", width, allowed, "give a box that is less slender")
     return with_outline(state, _box(state, width, height))
 
 
@@ -120,12 +127,12 @@ def with_diameter(state: State, diameter: Any) -> State:
 
 
 def _require_length(name: str, value: Any) -> None:
-    """Refuse what is not a finite number > 0."""
+    """Refuse what is not a number in the range of lengths."""
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    if not (is_number and 0.0 < value < math.inf):
-        raise InvalidValue(
-            name, "nothing" if value is None else value, "a finite number > 0", "give a length"
-        )
+    low, high = LENGTHS
+    if not (is_number and low <= value <= high):
+        shown = "nothing" if value is None else value
+        raise InvalidValue(name, shown, f"a number from {low:g} to {high:g}", "give a length")
 
 
 def corners_text(state: State) -> str:

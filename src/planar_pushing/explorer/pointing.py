@@ -99,11 +99,11 @@ class Pointing:
         self._cancel(picture, pixel)
 
     def _cancel(self, picture: str, pixel: Array) -> None:
-        held_scene = self.grip is not None and self.held == "scene"
+        grip = self.grip
         self.held, self.grabbed, self.grip = "", None, None
         self.page.history.rest()
-        if held_scene:  # the handle and the object return to their own places
-            self.page.turn_upright()
+        if grip is not None and (grip.handle == Handle.CONTACT or any(grip.offset)):
+            self.page.turn_upright()  # the object and the handle return to their own places
 
 
 EVENTS: dict[str, Callable[[Pointing, str, Array], None]] = {

@@ -224,7 +224,10 @@ def test_an_own_outline_is_entered_in_a_unit(page):
     settled(page)
     here = state(page)
     entered(page, "Corners: x, y (cm)", "0, 0\n30, 0\n30, ten")
-    alert = "Corners: corner 3: '30, ten' given; allowed: two finite numbers, x and y; write them as in 0.15, -0.1"
+    alert = (
+        "Corners: corner 3: '30, ten' given; allowed: two finite numbers, x and y; "
+        "write them as in 0.15, -0.1"
+    )
     assert page.get_by_role("alert").inner_text() == alert
     assert state(page) == here
     entered(page, "Corners: x, y (cm)", "0, 0\n30, 0\n0, 20")

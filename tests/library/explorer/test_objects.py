@@ -228,11 +228,20 @@ def test_bad_corners_are_refused_in_one_line(text, said):
     assert "\n" not in str(refused.value)
 
 
-@pytest.mark.parametrize("value", [None, 0.0, -1.0, np.inf, np.nan])
+@pytest.mark.parametrize("value", [None, 0.0, -1.0, 1e300, np.inf, np.nan])
 @pytest.mark.parametrize("name", ["width", "height", "diameter"])
 def test_a_bad_length_is_refused_by_its_name(name, value):
-    with pytest.raises(InvalidValue, match=f"^{name.capitalize()}: .*allowed: a finite number > 0"):
+    with pytest.raises(
+        InvalidValue, match=f"^{name.capitalize()}: .*allowed: a number from 1e-09 "
+    ):
         fields()[name].write(preset("figure_03"), value)
+
+
+def test_a_box_that_is_too_slender_is_refused():
+    with pytest.raises(
+        InvalidValue, match=r"^Width: 1.0 given; allowed: from 1e-09 to 0.1 beside a height"
+    ):
+        with_box(preset("figure_03"), 1.0, 1e-5)
 
 
 def test_an_outline_with_arcs_keeps_its_kind():
