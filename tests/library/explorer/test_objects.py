@@ -238,7 +238,7 @@ def test_a_bad_length_is_refused_by_its_name(name, value):
 
 
 def test_a_box_that_is_too_slender_is_refused():
-    with pytest.raises(InvalidValue, match="^Width: 1.0 given; allowed: from 1e-09 to 0.1 "):
+    with pytest.raises(InvalidValue, match=r"^Width: 1.0 given; allowed: from 1e-09 to 0.1 "):
         with_box(preset("figure_03"), 1.0, 1e-5)
 
 
