@@ -304,7 +304,15 @@ def test_a_side_on_the_fence_has_a_handle_and_a_table_of_its_own(angle):
     circles = [each.get("data-handle") for each in trees["scene"].iter("circle")]
     assert [each for each in circles if each] == [Handle.PUSHER]
     head = [each.text for each in trees["solutions"].iter("th")][:7]
-    assert head == ["Mode", "Contact", "Force", "At x*", "Motion", "Center", "Slip"]
+    assert head == [
+        "Mode",
+        "Contact",
+        "Force (N)",
+        "At x* (m)",
+        "Motion (m/s)",
+        "Center (m)",
+        "Slip (m/s)",
+    ]
     for name in ("curve", "areas"):
         texts = found.markup | map_markup(state, next(maps.maps(state)), SIZES["map"])
         assert "A side lies on the fence" in texts[name]
