@@ -11,6 +11,7 @@ from urllib.parse import urlencode
 
 from pydantic import ValidationError
 
+from planar_pushing.explorer.lengths import METERS
 from planar_pushing.explorer.several import open_state
 from planar_pushing.explorer.state import Handle, Start, State, with_push
 from planar_pushing.mechanics.contact import ContactMode
@@ -31,6 +32,7 @@ NAMES: dict[str, tuple[str, ...]] = {
     "shown": tuple(mode.name for mode in ContactMode),
     "across": ("magnitude", "friction", "rod angle", "rod length"),
     "handle": tuple(Handle),
+    "unit": tuple(METERS),
 }
 #: Numeric components of the state outside the scene file: smallest value and description.
 NUMBERS = {
@@ -38,7 +40,7 @@ NUMBERS = {
     "magnitude": (5e-324, "a finite number > 0"),
     "time": (0.0, "a finite number >= 0"),
 }
-DEFAULTS = {"shown": "", "across": "", "time": None, "handle": Handle.PUSHER}
+DEFAULTS = {"shown": "", "across": "", "time": None, "handle": Handle.PUSHER, "unit": ""}
 #: Keys of scene files with mappings as values; the inner keys are appended after a dot.
 NESTED = ("slider", "contact", "simulate")
 REMEDY = "the page shows its first preset instead"

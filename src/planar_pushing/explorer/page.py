@@ -19,6 +19,9 @@ from pydantic import ValidationError
 
 from planar_pushing.explorer.address import query, refusal
 from planar_pushing.explorer.downloads import download
+from planar_pushing.explorer.field import Field
+from planar_pushing.explorer.history import History
+from planar_pushing.explorer.lengths import note
 from planar_pushing.explorer.pictures.following import (
     CHOICES,
     choices_at,
@@ -33,8 +36,9 @@ from planar_pushing.explorer.python_lines import lines
 from planar_pushing.explorer.several import FIXED
 from planar_pushing.explorer.several import lines as lines_of_contacts
 from planar_pushing.explorer.state import State
+from planar_pushing.explorer.supports import support_note
 from planar_pushing.explorer.view import Order, View, box_of, map_markup, view
-from planar_pushing.explorer.widgets import FRAMES, Field, alike, fields, update
+from planar_pushing.explorer.widgets import FRAMES, alike, fields, update
 from planar_pushing.explorer.worker import Worker
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import PlanarPushingError
@@ -110,6 +114,7 @@ class Page:
         self.quiet = self.starts = False
         self.sizes = dict.fromkeys(("scene", "curve", "map", "time"), (700.0, 480.0))
         self.box, self.view = box_of(state), View({})
+        self.history = History()
         self.screen, self.pointing = Screen(self._hear), Pointing(self)
         self.fields = fields()
         self.fixed = {"error": escape(message), "note": ""}
@@ -131,6 +136,9 @@ class Page:
         }
         self.forget = pn.widgets.Button(label="Forget the choices made", visible=False)
         self.saves = {name: pn.widgets.Button(label=word, margin=0) for name, word in SAVES.items()}
+        self.undo, self.redo = (
+            pn.widgets.Button(label=name, margin=0, disabled=True) for name in ("Undo", "Redo")
+        )
         self.close = pn.widgets.Button(label="Close", color="danger", margin=0)
 
     def _listen(self, close: Callable[[], None]) -> None:
@@ -143,6 +151,8 @@ class Page:
         self.forget.on_click(lambda event: self.change(without_choices))
         for name, button in self.saves.items():
             button.on_click(partial(self._write, name))
+        self.undo.on_click(lambda event: self.step(self.history.undo))
+        self.redo.on_click(lambda event: self.step(self.history.redo))
         self.close.on_click(partial(self._close, close))
 
     @property
@@ -151,15 +161,19 @@ class Page:
         widgets = {name: field.widget for name, field in self.fields.items()}
         widgets |= {name.replace(".", "_"): button for name, button in self.saves.items()}
         widgets |= {"preset": self.preset, "solution": self.solution, "forget": self.forget}
+        widgets |= {"undo": self.undo, "redo": self.redo}
         choices = pn.FlexBox(*self.choices.values())
         return widgets | {"close": self.close, "choices": choices, "screen": self.screen}
 
     # -- states --------------------------------------------------------------------------------------
 
-    def change(self, make: Callable[[State], State], name: str = "", value: Any = None) -> None:
+    def change(
+        self, make: Callable[[State], State], name: str = "", value: Any = None, source: str = ""
+    ) -> None:
         """Show the state after a change, or report why it is not possible.
 
-        `name` and `value` are the changed widget and its value.
+        `name` and `value` are the changed widget and its value, and changes of one `source` that follow one
+        another are undone together.
         """
         if self.state.several is not None:
             self.document.add_next_tick_callback(self.show_widgets)
@@ -173,7 +187,21 @@ class Page:
             return
         self.say("")
         if state != self.state:
+            self.history.note(self.state, state, source or name, time.monotonic())
             self.put(state)
+
+    def step(self, move: Callable[[State], State | None]) -> None:
+        """Undo or redo a step, if there is one."""
+        state = move(self.state)
+        if state is not None and not self.pointing.held:
+            self.say("")
+            self._stop_player()
+            self.put(state)
+
+    def turn_upright(self) -> None:
+        """Draw the push again after its contact was dragged, with the fence below."""
+        self.box = box_of(self.state)
+        self.draw()
 
     def put(self, state: State) -> None:
         """Show another state; while a handle or only the time moves, the widgets are updated at rest."""
@@ -187,7 +215,12 @@ class Page:
     def draw(self) -> None:
         """Request the pictures of the state."""
         self.orders, self.changed_at = self.orders + 1, time.monotonic()
-        self.painter.ask(Order(self.state, self.sizes, self.box, self.number))
+        self.painter.ask(self._order())
+
+    def _order(self) -> Order:
+        """Request for the pictures of the state as it is now."""
+        grip, grabbed = self.pointing.grip, self.pointing.grabbed
+        return Order(self.state, self.sizes, self.box, self.number, grip, grabbed)
 
     @property
     def force(self) -> Array | None:
@@ -206,6 +239,8 @@ class Page:
         self.number, orders = event["number"], self.orders
         if event["kind"] == "sizes":
             self._resize(event["sizes"])
+        elif event["kind"] in ("undo", "redo"):
+            self.step(getattr(self.history, event["kind"]))
         else:
             self.pointing.hear(event)
         if self.orders == orders and self.painter.seconds:
@@ -232,7 +267,9 @@ class Page:
         if event.new:
             self.preset.value = ""
             self._stop_player()
-            self.put(preset(event.new))
+            state = preset(event.new)
+            self.history.note(self.state, state, "", time.monotonic())
+            self.put(state)
 
     def _stop_player(self) -> None:
         """Stop the player; a frame that the browser sends before it knows is not taken."""
@@ -290,6 +327,8 @@ class Page:
             for field in self.fields.values():
                 update(field.widget, field.more(self.state) | {"value": field.read(self.state)})
             self._show_choices()
+            update(self.undo, {"disabled": not self.history.past})
+            update(self.redo, {"disabled": not self.history.future})
         finally:
             self.quiet = False
 
@@ -314,11 +353,11 @@ class Page:
     def _look(self) -> None:
         """Report slow computations, and update the page once it is at rest."""
         motion = self.view.motion if self.state.time is not None else None
-        note = "" if motion is None else stop_text(motion.log)
-        note = note if self.state.several is None else FIXED
+        said = "" if motion is None else stop_text(motion.log)
+        said = said if self.state.several is None else FIXED
         if self.painter.seconds > SLOW or self.mapper.seconds > SLOW_MAP:
-            note = COMPUTING
-        self.fixed["note"] = escape(note[:1].upper() + note[1:])
+            said = COMPUTING
+        self.fixed["note"] = escape(said[:1].upper() + said[1:])
         self.screen.tell(self.fixed)
         rested = time.monotonic() - self.changed_at > REST and not self.painter.seconds
         if self.changed_at and rested:
@@ -331,11 +370,15 @@ class Page:
         box = box_of(self.state)
         if not self.pointing.held and not np.array_equal(box, self.box):
             self.box = box
-            self.painter.ask(Order(self.state, self.sizes, box, self.number))
+            self.painter.ask(self._order())
         title = self.state.file.title
         contacts = self.state.several
         program = lines(self.state) if contacts is None else lines_of_contacts(contacts)
         texts = {"python": escape(program), "title": escape(title)}
+        texts |= {
+            "lengths": escape(note(self.state)),
+            "support-note": escape(support_note(self.state)),
+        }
         self.screen.tell(texts, address=query(self.state), title=title)
         if contacts is None:
             self.mapper.ask((self.state, self.subject, self.view))
@@ -346,12 +389,17 @@ class Page:
         for modes in maps(subject):
             markup = map_markup(subject, modes, self.sizes["map"])
             markup["map-when"] = current.markup["when"]
-            self.document.add_next_tick_callback(partial(self.screen.tell, markup))
+            self.document.add_next_tick_callback(partial(self._show_map, order, markup))
             if self.mapper.wanted:
                 return ()
         if state.time is None or current.motion is None:
             return ()
         return choices_at(state, current.motion, state.time)
+
+    def _show_map(self, order: tuple[State, State, View], markup: dict[str, str]) -> None:
+        """Show a map if its picture is still shown, so that both are of one instant."""
+        if order[0] == self.state:
+            self.screen.tell(markup)
 
     def _offer_modes(self, order: tuple[State, State, View], answer: Any) -> None:
         """Offer the modes to choose from at an instant if it is still shown."""

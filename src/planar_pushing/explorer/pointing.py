@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.explorer.pictures import curve, handles, maps
+from planar_pushing.explorer.pictures.layout import Held, nearest_spot, place_handles
 from planar_pushing.explorer.pictures.pictures import LONG, TIME_BOX
-from planar_pushing.explorer.state import Handle
+from planar_pushing.explorer.state import Handle, State
 from planar_pushing.explorer.view import sheet_of
 from planar_pushing.mechanics.plane import Array
 
@@ -19,11 +20,16 @@ BOXES = {"curve": curve.BOX, "map": maps.BOX, "time": TIME_BOX}
 
 
 class Pointing:
-    """Converts events on the pictures into changes of the page's state; `held` is the picture of a drag."""
+    """Converts events on the pictures into changes of the page's state.
+
+    `held` is the picture of a drag, `grabbed` the state in which it began, and `grip` its handle.
+    """
 
     def __init__(self, page: Any) -> None:
         self.page = page
         self.held = ""
+        self.grabbed: State | None = None
+        self.grip: Held | None = None
 
     def hear(self, event: dict[str, Any]) -> None:
         """Handle an event: grab, drag, drop or cancel at a position in a picture, or an arrow key."""
@@ -33,54 +39,71 @@ class Pointing:
             right, up = event["way"]
             self._key(right, up, event["coarse"])
         else:
-            EVENTS[event["kind"]](self, event["picture"], self._position(event))
+            pixel = np.array([event["x"], event["y"]], dtype=float)
+            EVENTS[event["kind"]](self, event["picture"], pixel)
 
-    def _position(self, event: dict[str, Any]) -> Array:
+    def _position(self, picture: str, pixel: Array) -> Array:
         """Position of a pointer in its picture."""
-        name = event["picture"]
-        box = BOXES.get(name, self.page.box)
-        return sheet_of(self.page.sizes[name], box).to_scene((event["x"], event["y"]))
+        box = BOXES.get(picture, self.page.box)
+        return sheet_of(self.page.sizes[picture], box).to_scene(pixel)
 
     def _key(self, right: int, up: int, coarse: bool) -> None:
         if self.page.state.time is None:
             force = self.page.force
-            self.page.change(lambda state: handles.nudge_handle(state, force, right, up, coarse))
+            self.page.change(
+                lambda state: handles.nudge_handle(state, force, right, up, coarse), source="key"
+            )
 
-    def _grab(self, picture: str, position: Array) -> None:
+    def _grab(self, picture: str, pixel: Array) -> None:
         """Grab the handle at a position; on the limit curve this is the line of force.
 
         With a side on the fence there is neither a curve nor a map.
         """
-        if self.page.state.flush and picture in ("curve", "map"):
+        state = self.page.state
+        if state.flush and picture in ("curve", "map"):
             return
         handle: Handle | None = Handle.LINE
         if picture == "scene":
-            handle = handles.nearest(self.page.state, self.page.force, position)
+            sheet = sheet_of(self.page.sizes[picture], self.page.box)
+            spots = place_handles(handles.handle_positions(state, self.page.force), sheet)
+            handle = nearest_spot(spots, pixel)
+            self.grip = None if handle is None else Held(handle, spots[handle].offset)
         if picture in ("map", "time"):
             self.held = picture
-        elif handle is not None and self.page.state.time is None:
+        elif handle is not None and state.time is None:
             self.held = picture
             self.page.change(lambda state: replace(state, handle=handle))
+            self.grabbed = self.page.state
         if picture != "scene":
-            self._drag(picture, position)
+            self._drag(picture, pixel)
 
-    def _drag(self, picture: str, position: Array) -> None:
+    def _drag(self, picture: str, pixel: Array) -> None:
         motion = self.page.view.motion
-        if self.held in ("scene", "curve"):
-            self.page.change(lambda state: handles.drag_handle(state, state.handle, position))
+        if self.held in ("scene", "curve") and self.grabbed is not None:
+            state = self.grabbed
+            grip = self.grip.offset if self.grip is not None else (0.0, 0.0)
+            position = self._position(picture, pixel - grip)
+            self.page.change(
+                lambda _: handles.drag_handle(state, state.handle, position), source="drag"
+            )
         elif self.held == "time" and motion is not None:
             end = float(motion.times[-1])
-            time = float(np.clip(end * position[0] / LONG, 0.0, end))
+            time = float(np.clip(end * self._position(picture, pixel)[0] / LONG, 0.0, end))
             self.page.change(lambda state: replace(state, time=time))
 
-    def _drop(self, picture: str, position: Array) -> None:
+    def _drop(self, picture: str, pixel: Array) -> None:
         if self.held == "map":
+            position = self._position(picture, pixel)
             self.page.change(lambda state: maps.state_at(self.page.subject, position))
-        self._drag(picture, position)
-        self.held = ""
+        self._drag(picture, pixel)
+        self._cancel(picture, pixel)
 
-    def _cancel(self, picture: str, position: Array) -> None:
-        self.held = ""
+    def _cancel(self, picture: str, pixel: Array) -> None:
+        grip = self.grip
+        self.held, self.grabbed, self.grip = "", None, None
+        self.page.history.rest()
+        if grip is not None and (grip.handle == Handle.CONTACT or any(grip.offset)):
+            self.page.turn_upright()  # the object and the handle return to their own places
 
 
 EVENTS: dict[str, Callable[[Pointing, str, Array], None]] = {

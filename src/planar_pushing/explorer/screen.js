@@ -71,6 +71,18 @@ export function render({model}) {
     tell({kind: "key", way, coarse: event.shiftKey, number: ++number})
   })
 
+  // Fields with text undo their own letters.
+  const writes = (element) => element && (element.shadowRoot && element.shadowRoot.activeElement
+    ? writes(element.shadowRoot.activeElement) : element.matches("textarea, input:not([type=range])"))
+  document.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || writes(document.activeElement)) return
+    const key = event.key.toLowerCase()
+    const kind = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : ""
+    if (!kind) return
+    event.preventDefault()
+    tell({kind, number: ++number})
+  })
+
   const sizes = () => Object.fromEntries(pictures.map((each) => [each.id, [each.clientWidth, each.clientHeight]]))
   const resized = new ResizeObserver(() => model.send_msg({kind: "sizes", sizes: sizes(), number}))
   pictures.forEach((each) => resized.observe(each))

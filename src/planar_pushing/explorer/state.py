@@ -30,6 +30,7 @@ class Handle(StrEnum):
     """The handles of the picture."""
 
     PUSHER = "pusher"
+    CONTACT = "contact"
     ROD = "rod"
     SIZE = "size"
     LINE = "line of force"
@@ -48,8 +49,9 @@ class State:
 
     The file always has the section `simulate`, and its first motion is the push. `shown` is the mode of the
     solution drawn in full, `across` the second axis of the map, `time` the instant that is followed, if
-    any, and `handle` the handle that the keys move. A scene with several contacts is `several`; the file is
-    then that of the first contact alone.
+    any, `handle` the handle that the keys move, and `unit` the unit in which lengths are shown, empty for
+    that of the scene. A scene with several contacts is `several`; the file is then that of the first
+    contact alone.
     """
 
     file: SceneFile
@@ -60,6 +62,7 @@ class State:
     across: str = ""
     time: float | None = None
     handle: Handle = Handle.PUSHER
+    unit: str = ""
     several: ContactsFile | None = None
 
     @property
@@ -75,6 +78,11 @@ class State:
     def flush(self) -> bool:
         """Whether a side of the slider lies on the fence."""
         return self.scene.slider.flush
+
+    @property
+    def has_outline(self) -> bool:
+        """Whether the outline of the object is known, along which its contact moves."""
+        return self.file.slider.outline is not None
 
     @property
     def finger_radius(self) -> float:
@@ -262,6 +270,7 @@ LENGTHS = frozenset(
         "inner",
         "outer",
         "center",
+        "origin",
         "start",
         "end",
         "positions",

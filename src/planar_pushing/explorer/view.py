@@ -14,6 +14,8 @@ from planar_pushing.drawing.canvas.colors import ENERGIES, MODES, look_of
 from planar_pushing.drawing.canvas.marks import Picture, Sheet
 from planar_pushing.drawing.words import outcome, row
 from planar_pushing.explorer import several
+from planar_pushing.explorer.lengths import factor, headings
+from planar_pushing.explorer.objects import object_of
 from planar_pushing.explorer.pictures import curve, maps
 from planar_pushing.explorer.pictures.following import (
     FollowedMotion,
@@ -23,21 +25,23 @@ from planar_pushing.explorer.pictures.following import (
     sentence_at,
     solution_at,
 )
+from planar_pushing.explorer.pictures.layout import Held, markup_of_handles
 from planar_pushing.explorer.pictures.pictures import (
     TIME_BOX,
     SolvedPush,
     chip,
-    handles,
     instant_picture,
     markup,
     push_box,
     push_picture,
     solve_push,
+    spots_of,
     time_line_picture,
     time_picture,
 )
-from planar_pushing.explorer.state import State
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.explorer.pictures.turned import TurnedSheet
+from planar_pushing.explorer.state import Handle, State
+from planar_pushing.mechanics.plane import Array, Frame
 from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.scenes.contacts_model import ContactsFile
 
@@ -49,12 +53,17 @@ AT_START = "of the push at the start"
 
 
 class Order(NamedTuple):
-    """A state to show, sizes of pictures in pixels, the box of the push, and the last event's number."""
+    """A state to show, sizes of pictures in pixels, the box of the push, and the last event's number.
+
+    A handle can be held; if it is the contact, the object rests on the sheet as in the state `grabbed`.
+    """
 
     state: State
     sizes: Mapping[str, tuple[float, float]]
     box: Array
     number: int = 0
+    held: Held | None = None
+    grabbed: State | None = None
 
 
 class View(NamedTuple):
@@ -96,11 +105,23 @@ def box_of(state: State) -> Array:
     return push_box(state) if state.several is None else several.sketch(state.several).box()
 
 
+def sheet_of_push(order: Order) -> Sheet:
+    """Sheet of the picture of a push, on which an object whose contact is dragged keeps its place."""
+    sheet = sheet_of(order.sizes["scene"], order.box)
+    if order.grabbed is None or order.held is None or order.held.handle != Handle.CONTACT:
+        return sheet
+    fence, first = object_of(order.state).fence, object_of(order.grabbed).fence
+    x, y = first.point_in(fence.origin).tolist()
+    a, b = first.vector_in(fence.axis).tolist()
+    return TurnedSheet.of(sheet, Frame((x, y), (a, b)))
+
+
 def _push(order: Order) -> View:
     push = solve_push(order.state)
-    sheet = sheet_of(order.sizes["scene"], order.box)
+    sheet = sheet_of_push(order)
+    circles = markup_of_handles(spots_of(push, sheet, order.held), push.state.handle)
     content = {
-        "scene": markup(push_picture(push), sheet, handles(push, sheet)),
+        "scene": markup(push_picture(push, sheet, order.held), sheet, circles),
         "words": outcome(push.solutions, push.sketch.pusher, push.chosen),
         "runs": "", "now": "", "when": "", "energies": energy_legend(),
     }  # fmt: skip
@@ -114,7 +135,9 @@ def _of_push(order: Order, push: SolvedPush) -> dict[str, str]:
     return {
         "curve": _markup(order, "curve", picture, curve.BOX),
         "cross": _markup(order, "map", maps.cross(push.state), maps.BOX),
-        "solutions": table(push.solutions, push.sketch.pusher, push.chosen),
+        "solutions": table(
+            push.solutions, push.sketch.pusher, push.chosen, order.state, scene.stores_energy
+        ),
     }
 
 
@@ -134,12 +157,16 @@ def _instant(order: Order, time: float) -> View:
     }
     instant = push_at(state, motion, time)
     push = solve_push(replace(state, time=None) if instant is None else instant)
-    content |= _of_push(order, push) | {
-        "when": AT_START if instant is None else f"at time {time:.3f}"
-    }
+    when = AT_START if instant is None else f"at time {time:.3f}"
+    content |= _of_push(order, push) | map_markup(
+        push.state, maps.quick_map(push.state), order.sizes["map"]
+    )
+    content |= {"when": when, "map-when": when}
     if instant is None:
         solution, pusher = solution_at(state, motion, time) or (None, None)
-        content["solutions"] = table([] if solution is None else [solution], pusher, 0)
+        content["solutions"] = table(
+            [] if solution is None else [solution], pusher, 0, order.state, False
+        )
     return View(content, push, motion, instant)
 
 
@@ -148,19 +175,43 @@ def _over_time(state: State, size: tuple[float, float]) -> str:
     return markup(time_picture(follow(state)), sheet_of(size, TIME_BOX))
 
 
-def table(solutions: Sequence[Solution], pusher: Array | None, chosen: int) -> str:
-    """Table of the consistent solutions, with the one drawn in full in bold."""
+def table(
+    solutions: Sequence[Solution],
+    pusher: Array | None,
+    chosen: int,
+    state: State,
+    accelerates: bool,
+) -> str:
+    """Table of the consistent solutions, with the one drawn in full in bold.
+
+    The units of its columns are those of the state; the motions are accelerations or velocities.
+    """
     if not solutions:
         return "<p>No consistent solution.</p>"
-    rows, head = "", ""
+    rows, head, units = "", "", headings(state, accelerates)
     for index, solution in enumerate(solutions):
-        texts, look = row(solution, pusher), MODES[int(solution.mode)]
-        head = "".join(f"<th>{escape(name.capitalize())}</th>" for name in texts)
+        texts, look = row(_in_shown_unit(solution, state), pusher), MODES[int(solution.mode)]
+        head = "".join(f"<th>{escape(_heading(name, units))}</th>" for name in texts)
         name = chip(escape(texts.pop("mode")), look.fill, look.hatch, look.ink)
         cells = "".join(f"<td>{escape(text)}</td>" for text in texts.values())
         emphasis = ' class="shown"' if index == chosen else ""
         rows += f"<tr{emphasis}><th>{name}</th>{cells}</tr>"
     return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+def _heading(name: str, units: Mapping[str, str]) -> str:
+    """Name of a column with its unit."""
+    unit = units.get(name, "")
+    return f"{name.capitalize()} ({unit})" if unit else name.capitalize()
+
+
+def _in_shown_unit(solution: Solution, state: State) -> Solution:
+    """A solution whose positions are in the unit of the page."""
+    scale, position = factor(state), solution.force_position
+    if scale == 1.0:
+        return solution
+    shifted = None if position is None else scale * position
+    return replace(solution, center=scale * solution.center, force_position=shifted)
 
 
 def map_markup(state: State, modes: maps.Map, size: tuple[float, float]) -> dict[str, str]:

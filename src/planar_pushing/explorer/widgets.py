@@ -2,32 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import panel as pn
 from bokeh.models import CustomJSTickFormatter
 
+from planar_pushing.explorer.field import Field, buttons, number, select, slide
+from planar_pushing.explorer.lengths import factor, label
+from planar_pushing.explorer.object_fields import object_fields
+from planar_pushing.explorer.objects import object_of
+from planar_pushing.explorer.pictures.handles import handles_of
 from planar_pushing.explorer.pictures.maps import AXES, axes_of, axis_of
-from planar_pushing.explorer.presets import gallery
 from planar_pushing.explorer.state import (
     MAGNITUDES,
-    ROD_ANGLES,
+    ROUNDING,
     Handle,
     Start,
     State,
     effect,
     first_policy,
-    name_in,
     with_effect,
     with_law,
     with_push,
-    with_rod,
     with_simulation,
-    with_size,
-    with_support,
 )
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.terms.options import EffectKind, Policy, Shape
@@ -40,7 +39,6 @@ LAWS: dict[str, dict[str, Any]] = {
     "infinite friction, definition 2": {"law": "infinite_friction", "at_zero_normal": "none"},
     "perfectly rough": {"law": "perfectly_rough"},
 }
-OWN_SUPPORT = "own support"
 
 
 def law_name(state: State) -> str:
@@ -59,19 +57,6 @@ def with_named_law(state: State, name: str) -> State:
     coulomb = LAWS[name]["law"] == "coulomb"
     parameters = {"friction_coefficient": coefficient(state)} if coulomb else {}
     return with_law(state, LAWS[name] | parameters)
-
-
-def support_name(state: State) -> str:
-    """Name of the support in the gallery."""
-    entry = (effect(state, FRICTION) or {}).get("support")
-    return name_in(gallery(), entry, state.size) or OWN_SUPPORT
-
-
-def with_named_support(state: State, name: str) -> State:
-    """State with a support of the gallery."""
-    if name == OWN_SUPPORT:
-        return state
-    return with_support(state, None if name == "ring" else gallery()[name])
 
 
 def kinds(state: State) -> list[EffectKind]:
@@ -99,46 +84,9 @@ FRAMES, INTERVAL = 180, 33
 POWER = "return Number(Math.pow(10, tick).toPrecision(2)).toString()"
 
 
-class Field(NamedTuple):
-    """A widget: its value for a state, the state after a change, and properties set by the state."""
-
-    widget: Any
-    read: Callable[[State], Any]
-    write: Callable[[State, Any], State]
-    more: Callable[[State], dict[str, Any]] = lambda state: {}
-
-
 def fields() -> dict[str, Field]:
     """All widgets that show a component of the state, by name."""
-    return {**_push(), **_contact(), **_slider(), **_effects(), **_views(), **_motion()}
-
-
-def _slide(name: str, low: float, high: float, step: float, **rest: Any) -> pn.widgets.FloatSlider:
-    return pn.widgets.FloatSlider(
-        label=name,
-        start=low,
-        end=high,
-        step=step,
-        margin=(2, 6),
-        sizing_mode="stretch_width",
-        **rest,
-    )
-
-
-def _select(name: str, options: Any) -> pn.widgets.Select:
-    return pn.widgets.Select(
-        label=name, options=options, margin=(2, 6), sizing_mode="stretch_width"
-    )
-
-
-def _buttons(options: Any) -> pn.widgets.RadioButtonGroup:
-    return pn.widgets.RadioButtonGroup(options=options, margin=(2, 6))
-
-
-def _number(name: str) -> pn.widgets.FloatInput:
-    return pn.widgets.FloatInput(
-        label=name, step=0.1, margin=(2, 6), min_width=80, sizing_mode="stretch_width"
-    )
+    return {**_push(), **_contact(), **object_fields(), **_effects(), **_views(), **_motion()}
 
 
 def _radius(state: State, shape: str) -> dict[str, Any]:
@@ -155,18 +103,18 @@ def _push() -> dict[str, Field]:
     low, high = map(float, np.log10(MAGNITUDES))
     return {
         "angle": Field(
-            _slide("Direction (degrees)", -180.0, 180.0, 0.5),
+            slide("Direction (degrees)", -180.0, 180.0, 0.5),
             lambda state: state.angle,
             lambda state, value: with_push(state, value, state.magnitude),
         ),
         "magnitude": Field(
-            _slide("Magnitude, m a / W", low, high, 0.01, format=CustomJSTickFormatter(code=POWER)),
+            slide("Magnitude, m a / W", low, high, 0.01, format=CustomJSTickFormatter(code=POWER)),
             AXES["magnitude"].coordinate_of,
             AXES["magnitude"].state_at,
             lambda state: {"visible": is_magnitude_open(state.scene)},
         ),
         "shape": Field(
-            _buttons({"Fence": Shape.FENCE, "Finger": Shape.FINGER}),
+            buttons({"Fence": Shape.FENCE, "Finger": Shape.FINGER}),
             lambda state: state.shape,
             lambda state, shape: with_simulation(
                 state, pusher_shape=str(shape), **_radius(state, shape)
@@ -174,7 +122,7 @@ def _push() -> dict[str, Field]:
             lambda state: {"disabled": state.flush},
         ),
         "start": Field(
-            _buttons({"Moving at once": Start.VELOCITY, "From rest": Start.ACCELERATION}),
+            buttons({"Moving at once": Start.VELOCITY, "From rest": Start.ACCELERATION}),
             lambda state: state.start,
             lambda state, start: replace(state, start=start, time=None),
             lambda state: {"disabled": not state.scene.stores_energy},
@@ -182,13 +130,13 @@ def _push() -> dict[str, Field]:
     }
 
 
-# -- the contact and the slider ----------------------------------------------------------------------
+# -- the contact ----------------------------------------------------------------------
 
 
 def _contact() -> dict[str, Field]:
-    friction = _slide("Coefficient of friction \u03bc", 0.0, 5.0, 0.01)
+    friction = slide("Coefficient of friction \u03bc", 0.0, 5.0, 0.01)
     return {
-        "law": Field(_select("Contact law", list(LAWS)), law_name, with_named_law),
+        "law": Field(select("Contact law", list(LAWS)), law_name, with_named_law),
         "friction": Field(
             friction,
             coefficient,
@@ -203,45 +151,6 @@ def _contact() -> dict[str, Field]:
     }
 
 
-def _slider() -> dict[str, Field]:
-    """Fields of the slider; they are for a contact at one point, so a side on the fence disables them."""
-    length, size = _slide("Rod length", 0.0, 10.0, 0.01), _slide("Support size", 0.0, 5.0, 0.01)
-    return {
-        "support": Field(
-            _select("Support", []), support_name, with_named_support,
-            lambda state: {
-                "options": [*gallery(), *([OWN_SUPPORT] if support_name(state) == OWN_SUPPORT else [])],
-                "disabled": state.flush,
-            },
-        ),
-        "rod_length": Field(
-            length,
-            lambda state: state.file.slider.rod_length,
-            lambda state, value: with_rod(state, value, state.file.slider.rod_angle),
-            lambda state: _room(length, state),
-        ),
-        "rod_angle": Field(
-            _slide("Rod angle (degrees)", *ROD_ANGLES, 0.5),
-            lambda state: state.file.slider.rod_angle,
-            lambda state, value: with_rod(state, state.file.slider.rod_length, value),
-            lambda state: {"disabled": state.flush},
-        ),
-        "size": Field(
-            size, lambda state: state.size, with_size, lambda state: _room(size, state)
-        ),
-    }  # fmt: skip
-
-
-def _room(widget: Any, state: State) -> dict[str, Any]:
-    """End of a slider for lengths; it changes only if the scene no longer fits or is far smaller."""
-    length = max(state.file.slider.rod_length, state.size)
-    if 0.05 * widget.end <= length <= widget.end:
-        return {"disabled": state.flush}
-    power = 10.0 ** np.floor(np.log10(2.5 * length))
-    end = float(next(round_ * power for round_ in (1, 2, 5, 10) if round_ * power >= 2.5 * length))
-    return {"end": end, "step": end / 1000, "disabled": state.flush}
-
-
 # -- the effects -------------------------------------------------------------------------------------
 
 
@@ -252,35 +161,52 @@ def _effects() -> dict[str, Field]:
         "effects": Field(boxes, kinds, with_kinds),
         "weight": _part("Friction W", FRICTION, "weight"),
         "mass": _part("Mass m", INERTIA, "mass"),
-        "gyration": _part("Radius of gyration", INERTIA, "gyration_radius"),
-        "mass_x": _center("Center of mass, x", 0),
-        "mass_y": _center("Center of mass, y", 1),
+        "gyration": _part("Gyration radius", INERTIA, "gyration_radius", is_length=True),
+        "mass_x": _center("Mass center, x", 0),
+        "mass_y": _center("Mass center, y", 1),
     }
 
 
-def _part(name: str, kind: EffectKind, key: str) -> Field:
+def _part(name: str, kind: EffectKind, key: str, is_length: bool = False) -> Field:
     """Field for a number of an effect."""
+
+    def scale(state: State) -> float:
+        return factor(state) if is_length else 1.0
+
+    def write(state: State, value: Any) -> State:
+        changed = value if value is None else value / scale(state)
+        return with_effect(state, kind, (effect(state, kind) or {}) | {key: changed})
+
     return Field(
-        _number(name),
-        lambda state: float((effect(state, kind) or {}).get(key, 1.0)),
-        lambda state, value: with_effect(state, kind, (effect(state, kind) or {}) | {key: value}),
-        lambda state: {"disabled": effect(state, kind) is None},
+        number(name),
+        lambda state: float((effect(state, kind) or {}).get(key, 1.0)) * scale(state),
+        write,
+        lambda state: {
+            "disabled": effect(state, kind) is None,
+            **({"label": label(name, state)} if is_length else {}),
+        },
     )
 
 
 def _center(name: str, part: int) -> Field:
-    """Field for a coordinate of the center of mass."""
+    """Field for a coordinate of the center of mass, in the object's frame if it has an outline."""
 
     def center(state: State) -> list[float]:
-        return list((effect(state, INERTIA) or {}).get("center", (0.0, 0.0)))
+        own = (effect(state, INERTIA) or {}).get("center", (0.0, 0.0))
+        point = object_of(state).body.point_out(own) if state.has_outline else np.array(own)
+        point[np.abs(point) < ROUNDING * state.size] = 0.0
+        return [float(f"{x:.9g}") for x in point.tolist()]
 
     def write(state: State, value: Any) -> State:
-        changed = [value if index == part else old for index, old in enumerate(center(state))]
+        length = value if value is None else value / factor(state)
+        changed: Any = [length if index == part else old for index, old in enumerate(center(state))]
+        if state.has_outline and value is not None:
+            changed = object_of(state).body.point_in(changed).tolist()
         return with_effect(state, INERTIA, (effect(state, INERTIA) or {}) | {"center": changed})
 
     return Field(
-        _number(name), lambda state: center(state)[part], write,
-        lambda state: {"disabled": effect(state, INERTIA) is None},
+        number(name), lambda state: center(state)[part] * factor(state), write,
+        lambda state: {"disabled": effect(state, INERTIA) is None, "label": label(name, state)},
     )  # fmt: skip
 
 
@@ -290,14 +216,17 @@ def _center(name: str, part: int) -> Field:
 def _views() -> dict[str, Field]:
     return {
         "across": Field(
-            _select("Map over", []), axis_of, lambda state, name: replace(state, across=name),
+            select("Map over", []), axis_of, lambda state, name: replace(state, across=name),
             lambda state: {"options": axes_of(state), "disabled": state.flush},
         ),
         "handle": Field(
-            _buttons({handle.capitalize(): handle for handle in Handle}),
-            lambda state: state.handle,
+            buttons({}),
+            lambda state: state.handle if state.handle in handles_of(state) else Handle.PUSHER,
             lambda state, handle: replace(state, handle=handle),
-            lambda state: {"disabled": state.time is not None or state.flush},
+            lambda state: {
+                "options": {handle.capitalize(): handle for handle in handles_of(state)},
+                "disabled": state.time is not None or state.flush,
+            },
         ),
     }  # fmt: skip
 
@@ -326,16 +255,25 @@ def _motion() -> dict[str, Field]:
             lambda state: {"visible": state.time is not None},
         ),
         "duration": Field(
-            _number("Duration"),
+            number("Duration"),
             lambda state: state.duration,
             lambda state, value: _restart(state, duration=value),
+            lambda state: {
+                "label": f"Duration ({state.file.units.time})" if state.file.units else "Duration"
+            },
         ),
         "policy": Field(
-            _select("Where several modes are possible", policies),
+            select("Where several modes are possible", policies),
             first_policy,
             lambda state, value: _restart(state, on_ambiguity=value),
         ),
     }
+
+
+def _duration_name(state: State) -> str:
+    """Name of the duration with its unit, if the scene has one."""
+    units = state.file.units
+    return "Duration" if units is None else f"Duration ({units.time})"
 
 
 def _restart(state: State, **options: Any) -> State:

@@ -16,6 +16,8 @@ import planar_pushing as pp
 from planar_pushing.drawing.timeline import path_data
 from planar_pushing.drawing.words import outcome
 from planar_pushing.explorer.address import state_in
+from planar_pushing.explorer.objects import object_of
+from planar_pushing.explorer.own_outline import sides_of
 from planar_pushing.explorer.pictures import maps
 from planar_pushing.explorer.pictures.pictures import LONG, solve_push
 from planar_pushing.explorer.presets import preset, titles
@@ -168,10 +170,99 @@ def test_a_side_on_the_fence_is_pushed_and_followed(page):
     assert page.get_by_label("Support", exact=True).is_enabled()
 
 
+def entered(page, label, text):
+    """Enter a text in a field."""
+    field = page.get_by_label(label, exact=True)
+    field.fill(text)
+    field.press("Tab")
+    settled(page)
+
+
+def test_the_contact_is_dragged_along_the_outline(page):
+    start_from(page, "box")
+    before = state(page)
+    drag(page, handle(page, "contact"), (-0.1, -0.05))
+    agrees(page)
+    assert object_of(state(page)).place.point == pytest.approx((-0.06, -0.1), abs=2e-3)
+    drag(page, handle(page, "contact"), (0.3, 0.05))  # to the middle of the right side
+    agrees(page)
+    assert object_of(state(page)).place.point == pytest.approx((0.15, -0.05), abs=2e-3)
+    assert state(page).file.simulate == before.file.simulate
+
+
+def test_steps_are_undone_by_buttons_and_keys(page):
+    first = state(page)
+    drag(page, handle(page, "pusher"), (-0.5, 1.2))
+    agrees(page)
+    second = state(page)
+    start_from(page, "mug")
+    page.get_by_role("button", name="Undo").click()
+    agrees(page)
+    assert state(page) == second
+    page.keyboard.press("Control+z")
+    agrees(page)
+    assert state(page) == first
+    assert page.get_by_role("button", name="Undo").is_disabled()
+    page.keyboard.press("Control+Shift+z")
+    agrees(page)
+    assert state(page) == second
+    page.get_by_role("button", name="Redo").click()
+    agrees(page)
+    assert state(page) == preset("mug")
+
+
+def test_an_own_outline_is_entered_in_a_unit(page):
+    page.get_by_label("Outline", exact=True).select_option(label="box")
+    agrees(page)
+    page.get_by_label("Unit of lengths").select_option(label="cm")
+    settled(page)
+    entered(page, "Width (cm)", "30")
+    entered(page, "Height (cm)", "20")
+    agrees(page)
+    assert sides_of(state(page)) == (30.0, 20.0)
+    page.get_by_label("Outline", exact=True).select_option(label="polygon")
+    settled(page)
+    here = state(page)
+    entered(page, "Corners: x, y (cm)", "0, 0\n30, 0\n30, ten")
+    alert = (
+        "Corners: corner 3: '30, ten' given; allowed: two finite numbers, x and y; "
+        "write them as in 0.15, -0.1"
+    )
+    assert page.get_by_role("alert").inner_text() == alert
+    assert state(page) == here
+    entered(page, "Corners: x, y (cm)", "0, 0\n30, 0\n0, 20")
+    agrees(page)
+    assert object_of(state(page)).outline.area == pytest.approx(300.0)
+    assert page.locator("#error").inner_text() == ""
+
+
+#: The times of the picture, the limit curve and the map at each change of the page while it plays.
+TIMES = """() => {
+  window.times = []
+  const text = (id) => document.getElementById(id).innerText
+  new MutationObserver(() => times.push([text("words"), text("when"), text("map-when")]))
+    .observe(document.querySelector("main"), {subtree: true, childList: true, characterData: true})
+}"""
+
+
+def test_picture_and_map_show_one_time_while_they_play(page):
+    start_from(page, "pulling")
+    page.evaluate(TIMES)
+    page.get_by_role("button", name="Follow over time").click()
+    page.wait_for_function("new Set(times.map((each) => each[1])).size > 5")
+    page.locator("button.pause").click()
+    settled(page)
+    times = [each for each in page.evaluate("times") if each[0].startswith("At time")]
+    assert len(times) > 5
+    for words_then, curve, modes in times:
+        assert curve == modes
+        assert curve == f"at time {words_then.split()[2]}"
+
+
 def test_widgets_change_the_scene(page):
     page.get_by_label("Contact law").select_option("infinite friction")
     agrees(page)
-    page.get_by_label("Support", exact=True).select_option(label="tripod")
+    page.get_by_label("Support", exact=True).select_option(label="three feet")
     agrees(page)
     page.get_by_label("Inertia").check()
     page.wait_for_timeout(1500)

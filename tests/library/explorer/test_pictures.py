@@ -11,21 +11,25 @@ from planar_pushing.drawing.canvas.colors import FORCE, MOTION, PUSHER
 from planar_pushing.drawing.canvas.labels import settle
 from planar_pushing.drawing.canvas.marks import Area, Arrow
 from planar_pushing.drawing.words import best, outcome
+from planar_pushing.explorer.boundary import place_at
+from planar_pushing.explorer.objects import object_of, with_contact, with_object_size
+from planar_pushing.explorer.own_outline import BOX, with_kind
 from planar_pushing.explorer.pictures import curve, maps
 from planar_pushing.explorer.pictures.following import energies, follow
 from planar_pushing.explorer.pictures.handles import handle_positions
+from planar_pushing.explorer.pictures.layout import RADIUS, Held, nearest_spot
 from planar_pushing.explorer.pictures.pictures import (
     LONG,
-    RADIUS,
     instant_picture,
     push_box,
     push_picture,
     solve_push,
+    spots_of,
     time_picture,
 )
 from planar_pushing.explorer.presets import PUSHES, preset
-from planar_pushing.explorer.state import Handle, with_law, with_push, with_simulation
-from planar_pushing.explorer.view import Order, map_markup, sheet_of, view
+from planar_pushing.explorer.state import Handle, with_law, with_push, with_rod, with_simulation
+from planar_pushing.explorer.view import Order, map_markup, sheet_of, sheet_of_push, view
 
 PRESETS = list(PUSHES)
 SIZES = dict.fromkeys(("scene", "curve", "map", "time"), (700.0, 480.0))
@@ -38,26 +42,122 @@ def shown(state):
     return found, trees
 
 
-def covered_labels(state):
-    """Names of the labels whose boxes a handle covers."""
-    push = solve_push(state)
-    sheet = sheet_of(SIZES["scene"], push_box(state))
+SHEETS = {"wide": (700.0, 480.0), "phone": (370.0, 320.0)}
+
+
+def boxes_of_labels(picture, sheet):
+    """Texts of the labels of a picture, and the corners of their boxes in pixels."""
     found = []
-    for label in settle(push_picture(push), sheet):
-        half = np.array(label.extent) / 2
+    for label in settle(picture, sheet):
+        half = sheet.point * np.array(label.extent) / 2
         middle = sheet.to_sheet(label.position) + sheet.point * np.array([1.0, -1.0]) * label.offset
-        for place in handle_positions(push.state, push.force).values():
-            apart = np.abs(sheet.to_sheet(place) - middle) - sheet.point * half
-            if np.hypot(*np.maximum(apart, 0.0)) < RADIUS:
-                found.append(label.text)
+        middle[0] += {"left": 1.0, "right": -1.0}.get(label.align, 0.0) * half[0]
+        found.append((label.text, np.array([middle - half, middle + half])))
+    return found
+
+
+def distance(box, point):
+    return np.hypot(*np.maximum(np.maximum(box[0] - point, point - box[1]), 0.0))
+
+
+def covered_labels(state, size):
+    """Names of the labels that a handle or the name of a handle covers."""
+    push, sheet = solve_push(state), sheet_of(size, push_box(state))
+    spots = spots_of(push, sheet)
+    labels = boxes_of_labels(push_picture(push, sheet), sheet)
+    found = [
+        text
+        for text, box in labels
+        for spot in spots.values()
+        if distance(box, spot.center) < RADIUS
+    ]
+    names = [(text, box) for text, box in labels if text in spots]
+    for text, box in names:
+        others = [other for name, other in labels if name != text]
+        found += [text for other in others if ((box[0] < other[1]) & (other[0] < box[1])).all()]
     return found
 
 
 @pytest.mark.parametrize("angle", range(-170, 181, 25))
-@pytest.mark.parametrize("name", ["figure_03", "figure_08", "box", "tripod"])
+@pytest.mark.parametrize("name", ["figure_03", "figure_08", "box", "tripod", "mug"])
 def test_no_handle_covers_a_label(name, angle):
     state = preset(name)
-    assert covered_labels(with_push(state, float(angle), state.magnitude)) == []
+    assert covered_labels(with_push(state, float(angle), state.magnitude), SHEETS["wide"]) == []
+
+
+def slow_box():
+    """A box whose slow push at the middle of a side has a short arrow."""
+    box = preset("box")
+    return with_contact(with_push(box, 90.0, 0.01), place_at(object_of(box).outline, 0.15))
+
+
+#: Pushes whose pusher, line of force, center and contact are on one line, or at one point.
+SYMMETRIC = {
+    "box": lambda: with_kind(preset("figure_03"), BOX),
+    "upright rod": lambda: with_rod(with_push(preset("figure_03"), 90.0, 1.0), 1.0, 90.0),
+    "no rod": lambda: with_rod(preset("figure_03"), 0.0, 90.0),
+    "slow": lambda: with_rod(with_push(preset("figure_13"), 90.0, 0.01), 1.0, 90.0),
+    "slow box": slow_box,
+    "tiny box": lambda: with_object_size(preset("box"), 1e-6),
+}
+
+
+@pytest.mark.parametrize("size", SHEETS.values(), ids=SHEETS)
+@pytest.mark.parametrize("name", SYMMETRIC)
+def test_no_handle_hides_another_one(name, size):
+    push = solve_push(state := SYMMETRIC[name]())
+    sheet = sheet_of(size, push_box(state))
+    spots = spots_of(push, sheet)
+    centers = np.array([spot.center for spot in spots.values()])
+    for i, center in enumerate(centers):
+        apart = np.hypot(*(np.delete(centers, i, axis=0) - center).T)
+        assert apart.min() >= 2.0 * RADIUS
+        assert ((center >= 0.0) & (center <= sheet.size)).all()
+        assert nearest_spot(spots, center) == list(spots)[i]
+    own = Handle.CONTACT if state.has_outline else Handle.ROD
+    assert set(spots) - {Handle.LINE} == {Handle.PUSHER, Handle.SIZE, own}
+    assert (Handle.LINE in spots) == np.any(push.force)
+
+
+@pytest.mark.parametrize("name", SYMMETRIC)
+def test_the_name_of_a_handle_touches_it(name):
+    push = solve_push(state := SYMMETRIC[name]())
+    sheet = sheet_of(SHEETS["wide"], push_box(state))
+    spots = spots_of(push, sheet)
+    labels = dict(boxes_of_labels(push_picture(push, sheet), sheet))
+    for name in spots:
+        nearby = {other: distance(labels[name], at.center) for other, at in spots.items()}
+        assert nearby[name] < 2.0 * RADIUS
+        assert min(nearby, key=nearby.get) == name
+
+
+def test_a_handle_that_is_held_keeps_its_offset_and_the_others_make_room():
+    state = with_kind(preset("figure_03"), BOX)
+    push = solve_push(state)
+    sheet = sheet_of(SIZES["scene"], push_box(state))
+    held = spots_of(push, sheet, Held(Handle.PUSHER, (12.0, 5.0)))
+    assert held[Handle.PUSHER].offset == pytest.approx((12.0, 5.0))
+    rest = [spot.center for name, spot in held.items() if name != Handle.PUSHER]
+    assert np.hypot(*(np.array(rest) - held[Handle.PUSHER].center).T).min() >= 2.0 * RADIUS
+
+
+def test_an_object_keeps_its_place_while_its_contact_is_dragged():
+    """Every corner of the box is where it was on the sheet, and the contact is at the pointer."""
+    state = preset("box")
+    body, box = object_of(state), push_box(state)
+    place = place_at(body.outline, 0.4)
+    order = Order(
+        with_contact(state, place), SIZES, box, 0, Held(Handle.CONTACT, (0.0, 0.0)), state
+    )
+    turned, before = sheet_of_push(order), sheet_of(SIZES["scene"], box)
+    after = object_of(order.state)
+    for corner in body.outline.corners:
+        pixel = before.to_sheet(body.fence.point_in(corner))
+        np.testing.assert_allclose(turned.to_sheet(after.fence.point_in(corner)), pixel, atol=1e-6)
+        np.testing.assert_allclose(turned.to_scene(pixel), after.fence.point_in(corner), atol=1e-9)
+    contact = before.to_sheet(body.fence.point_in(place.point))
+    np.testing.assert_allclose(turned.to_sheet((0.0, 0.0)), contact, atol=1e-6)
+    assert view(order).markup["scene"] != view(order._replace(grabbed=None)).markup["scene"]
 
 
 def arrows(picture, color):
@@ -74,9 +174,13 @@ def test_every_preset_is_shown_with_its_handles_in_their_places(name):
     found, trees = shown(state)
     sheet = sheet_of(SIZES["scene"], push_box(state))
     circles = {each.get("data-handle"): each for each in trees["scene"].iter("circle")}
+    spots = spots_of(found.push, sheet)
     for handle, place in handle_positions(state, found.push.force).items():
         pixel = [float(circles[handle].get(key)) for key in ("cx", "cy")]
-        np.testing.assert_allclose(sheet.to_scene(pixel), place, atol=0.1 / sheet.scale)
+        np.testing.assert_allclose(pixel, spots[handle].center, atol=0.1)
+        if handle != Handle.LINE:
+            np.testing.assert_allclose(sheet.to_scene(spots[handle].anchor), place, atol=1e-9)
+        assert f">{handle}</tspan>" in found.markup["scene"]
     assert len(list(trees["solutions"].iter("tr"))) == 1 + len(found.push.solutions)
     assert found.markup["words"] == outcome(
         found.push.solutions, found.push.sketch.pusher, found.push.chosen
@@ -162,6 +266,10 @@ def test_a_motion_is_shown_at_every_instant(name):
         found, _ = shown(replace(preset(name), time=float(time)))
         assert found.motion is motion
         assert (found.markup["when"] == "of the push at the start") == (found.instant is None)
+        assert found.markup["map-when"] == found.markup["when"]
+        subject = found.instant or preset(name)
+        quick = map_markup(subject, maps.quick_map(subject), SIZES["map"])
+        assert found.markup["areas"] == quick["areas"]
         assert instant_picture(motion, float(time)).marks
     areas = (mark for mark in time_picture(motion).marks if isinstance(mark, Area))
     bar = [mark.rings[0] for mark in areas if mark.hatch != "|"]
@@ -196,7 +304,15 @@ def test_a_side_on_the_fence_has_a_handle_and_a_table_of_its_own(angle):
     circles = [each.get("data-handle") for each in trees["scene"].iter("circle")]
     assert [each for each in circles if each] == [Handle.PUSHER]
     head = [each.text for each in trees["solutions"].iter("th")][:7]
-    assert head == ["Mode", "Contact", "Force", "At x*", "Motion", "Center", "Slip"]
+    assert head == [
+        "Mode",
+        "Contact",
+        "Force (N)",
+        "At x* (m)",
+        "Motion (m/s)",
+        "Center (m)",
+        "Slip (m/s)",
+    ]
     for name in ("curve", "areas"):
         texts = found.markup | map_markup(state, next(maps.maps(state)), SIZES["map"])
         assert "A side lies on the fence" in texts[name]

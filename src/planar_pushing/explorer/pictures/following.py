@@ -83,7 +83,7 @@ def follow(state: State) -> FollowedMotion:
 
 def push_to_follow(state: State) -> State:
     """State with the push to follow, without settings that only affect the display."""
-    return replace(state, time=None, shown="", across="", handle=Handle.PUSHER)
+    return replace(state, time=None, shown="", across="", handle=Handle.PUSHER, unit="")
 
 
 @lru_cache(maxsize=4)

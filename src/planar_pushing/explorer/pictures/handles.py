@@ -10,7 +10,17 @@ from functools import lru_cache
 import numpy as np
 
 from planar_pushing.drawing.sketch import Sketch
-from planar_pushing.explorer.state import MAGNITUDES, Handle, State, with_push, with_rod, with_size
+from planar_pushing.explorer.boundary import FROM_END, nearest_to, perimeter, place_at
+from planar_pushing.explorer.objects import object_of, with_contact, with_object_size
+from planar_pushing.explorer.state import (
+    MAGNITUDES,
+    SMALLEST,
+    Handle,
+    State,
+    with_push,
+    with_rod,
+    with_size,
+)
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.force.cones import friction_cone, is_magnitude_open, motion_angle
 from planar_pushing.mechanics.plane import Array, direction
@@ -62,30 +72,42 @@ def _magnitude(state: State, length: float) -> float:
 def handle_positions(state: State, force: Array | None) -> dict[Handle, Array]:
     """Positions of the handles; the line of force has one if the pusher transmits a force.
 
-    With a side on the fence, only the pusher has one: the rod belongs to a contact at one point.
+    With a side on the fence, only the pusher has one: the others belong to a contact at one point. An
+    object with an outline has its contact as a handle, which moves along the outline, and another object
+    the end of its rod.
     """
     frame, angle = frame_of(state.scene), math.radians(state.angle)
     pusher = frame.reach * arrow_length(state) * direction(angle)
     if state.flush:
         return {Handle.PUSHER: pusher}
-    positions = {
-        Handle.PUSHER: pusher,
-        Handle.ROD: frame.center,
-        Handle.SIZE: frame.middle + frame.half * direction(frame.pose.angle - math.pi / 4),
-    }
+    positions = {Handle.PUSHER: pusher}
+    if state.has_outline:
+        positions |= {Handle.CONTACT: np.zeros(2), Handle.SIZE: _far_corner(state.scene)}
+    else:
+        positions |= {
+            Handle.ROD: frame.center,
+            Handle.SIZE: frame.middle + frame.half * direction(frame.pose.angle - math.pi / 4),
+        }
     if force is not None and np.any(force):
         positions[Handle.LINE] = LINE * frame.reach * force / np.hypot(*force)
     return positions
 
 
-def nearest(state: State, force: Array | None, position: Array) -> Handle | None:
-    """Handle at a position in the picture; None if there is none."""
-    distances = {
-        handle: float(np.hypot(*(center - position)))
-        for handle, center in handle_positions(state, force).items()
-    }
-    handle = min(distances, key=distances.__getitem__)
-    return handle if distances[handle] < 0.16 * frame_of(state.scene).span else None
+def handles_of(state: State) -> list[Handle]:
+    """Handles that a state can have, in the order of the page."""
+    if state.flush:
+        return [Handle.PUSHER]
+    middle = Handle.CONTACT if state.has_outline else Handle.ROD
+    return [Handle.PUSHER, middle, Handle.SIZE, Handle.LINE]
+
+
+@lru_cache(maxsize=8)
+def _far_corner(scene: Scene) -> Array:
+    """The place of the outline farthest from the contact, in the fence frame."""
+    outline = scene.slider.outline_in_body()
+    assert outline is not None, "only a state with an outline has its corners"
+    corners = frame_of(scene).pose.to_plane(outline.vertices())
+    return np.asarray(corners[np.hypot(*corners.T).argmax()])
 
 
 def _drag_pusher(state: State, position: Array) -> State:
@@ -102,7 +124,17 @@ def _drag_rod(state: State, position: Array) -> State:
     return with_rod(state, float(np.hypot(*position)), angle)
 
 
+def _drag_contact(state: State, position: Array) -> State:
+    """State with the contact at the place of the outline nearest to a position."""
+    body = object_of(state)
+    return with_contact(state, nearest_to(body.outline, body.fence.point_out(position)))
+
+
 def _drag_size(state: State, position: Array) -> State:
+    if state.has_outline:
+        corner = _far_corner(state.scene)
+        ratio = float(position @ corner / (corner @ corner))
+        return with_object_size(state, max(ratio, SMALLEST))
     frame = frame_of(state.scene)
     away = float(np.hypot(*(position - frame.middle)))
     return with_size(state, state.size * away / frame.half)
@@ -141,6 +173,7 @@ def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
 
 DRAGS: dict[Handle, Callable[[State, Array], State]] = {
     Handle.PUSHER: _drag_pusher,
+    Handle.CONTACT: _drag_contact,
     Handle.ROD: _drag_rod,
     Handle.SIZE: _drag_size,
     Handle.LINE: _drag_line,
@@ -157,8 +190,13 @@ DEGREE, PART = 1.0, 0.02
 
 
 def nudge_handle(state: State, force: Array | None, right: int, up: int, coarse: bool) -> State:
-    """State after an arrow key: left and right turn its handle, up and down change its length."""
+    """State after an arrow key: left and right turn its handle, up and down change its length.
+
+    They move a contact along the outline.
+    """
     handle = state.handle
+    if handle == Handle.CONTACT and state.has_outline and not state.flush:
+        return _nudge_contact(state, (right + up) * (10.0 if coarse else 1.0))
     position = handle_positions(state, force).get(handle)
     if position is None:
         return state
@@ -168,3 +206,15 @@ def nudge_handle(state: State, force: Array | None, right: int, up: int, coarse:
     angle = math.atan2(arm[1], arm[0]) - math.radians(DEGREE * step * right)
     length = float(np.hypot(*arm)) * (1.0 + PART * step * up)
     return drag_handle(state, handle, about + length * direction(angle))
+
+
+def _nudge_contact(state: State, steps: float) -> State:
+    """State with the contact moved along the outline, counterclockwise, by fractions of its length."""
+    body = object_of(state)
+    whole = perimeter(body.outline)
+    place = place_at(body.outline, body.place.length + steps * PART / 2.0 * whole)
+    if place.point == body.place.point:  # held off by a corner
+        place = place_at(
+            body.outline, body.place.length + math.copysign(2.0 * FROM_END * whole, steps)
+        )
+    return with_contact(state, place)

@@ -12,11 +12,13 @@ import numpy.typing as npt
 
 from planar_pushing.drawing.canvas.colors import DARK, GUIDE, look_of
 from planar_pushing.drawing.canvas.marks import NOTE, Area, Picture
+from planar_pushing.explorer.lengths import factor, label
 from planar_pushing.explorer.pictures.curve import words_alone
 from planar_pushing.explorer.pictures.handles import unit_of_magnitude
 from planar_pushing.explorer.state import (
     MAGNITUDES,
     ROD_ANGLES,
+    Handle,
     State,
     with_law,
     with_push,
@@ -138,15 +140,21 @@ AXES: dict[str, Axis] = {
         coordinate_of=lambda state: state.file.slider.rod_length,
         state_at=lambda state, length: with_rod(state, length, state.file.slider.rod_angle),
         ticks=lambda state: {
-            float(length): f"{length:.3g}" for length in np.linspace(0.0, _longest(state), 6)
+            float(length): f"{length * factor(state):.3g}"
+            for length in np.linspace(0.0, _longest(state), 6)
         },
     ),
 }
 
 
 def axes_of(state: State) -> list[str]:
-    """Axes that matter to a state, the most informative first."""
-    return [name for name in AXES if name != "magnitude" or is_magnitude_open(state.scene)]
+    """Axes that matter to a state, the most informative first.
+
+    An object with an outline has no rod of its own: its contact moves along the outline.
+    """
+    absent = set() if is_magnitude_open(state.scene) else {"magnitude"}
+    absent |= {"rod angle", "rod length"} if state.has_outline else set()
+    return [name for name in AXES if name not in absent]
 
 
 def axis_of(state: State) -> str:
@@ -155,7 +163,8 @@ def axis_of(state: State) -> str:
     if state.across in allowed:
         return state.across
     coulomb = isinstance(state.scene.contact, Coulomb)
-    return allowed[0] if coulomb or allowed[0] == "magnitude" else "rod angle"
+    takes_first = coulomb or allowed[0] == "magnitude" or "rod angle" not in allowed
+    return allowed[0] if takes_first else "rod angle"
 
 
 def maps(state: State) -> Iterator[Map]:
@@ -169,7 +178,27 @@ def maps(state: State) -> Iterator[Map]:
     finer = float(np.sqrt(min(TIME / seconds / np.prod(FINE), 1.0)))
     size = 2 * round(finer * FINE[0] / 2), round(finer * FINE[1])
     if size[0] > COARSE[0]:
-        yield mode_map(state, size)
+        fine = mode_map(state, size)
+        _finest[_key_of(state)] = fine
+        if len(_finest) > KEPT:
+            del _finest[next(iter(_finest))]
+        yield fine
+
+
+#: The last fine maps, by their states.
+_finest: dict[State, Map] = {}
+KEPT = 8
+
+
+def _key_of(state: State) -> State:
+    """A state without what its map does not depend on."""
+    return replace(state, angle=0.0, shown="", time=None, handle=Handle.PUSHER, several=None)
+
+
+def quick_map(state: State) -> Map:
+    """A fine map that is known, or a coarse one, which is ready as soon as a picture of the push."""
+    known = _finest.get(_key_of(state))
+    return next(maps(state)) if known is None else known
 
 
 def mode_map(state: State, size: tuple[int, ...]) -> Map:
@@ -243,7 +272,8 @@ def _name_axes(picture: Picture, state: State) -> None:
         picture.line([(0.0, y), (-0.015, y)], GUIDE, width=0.7)
         text = f"{angle}".replace("-", "\u2212")
         picture.label((0.0, y), text, offset=(-6.0, 0.0), align="right", **note)
-    picture.label((WIDE / 2, 0.0), axis.title, offset=(0.0, -18.0), **note)
+    name = label(axis.title, state) if axis.title == "rod length" else axis.title
+    picture.label((WIDE / 2, 0.0), name, offset=(0.0, -18.0), **note)
     title = "direction of the push (degrees)"
     picture.label((0.0, 1.0), title, offset=(0.0, 10.0), align="left", **note)
 

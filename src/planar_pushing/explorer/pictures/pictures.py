@@ -31,16 +31,15 @@ from planar_pushing.drawing.walls import DrawnWall, walls_before
 from planar_pushing.drawing.words import best
 from planar_pushing.explorer.pictures.following import FollowedMotion, energies, row_at
 from planar_pushing.explorer.pictures.handles import arrow_length, frame_of, handle_positions
+from planar_pushing.explorer.pictures.layout import Held, Spot, add_names, place_handles
 from planar_pushing.explorer.python_lines import settings
-from planar_pushing.explorer.state import State
+from planar_pushing.explorer.state import Handle, State
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.options import Shape
 
-#: Diameter of a handle in points at the smallest scale of the page, and its radius in pixels.
-HANDLE, RADIUS = 17.6, 11.0
 #: Width of the picture over time for energies of height 1, top of the modes, and box around both.
 LONG, TOP = 5.0, 1.5
 TIME_BOX = np.array([(-0.5, -0.38), (LONG + 0.1, TOP + 0.05)])
@@ -82,8 +81,16 @@ def walls_of(state: State) -> tuple[DrawnWall, ...]:
     return walls_before(state.scene, settings(state))
 
 
-def push_picture(push: SolvedPush) -> Picture:
-    """Picture of slider, pusher and cones, with the chosen solution in full and the others pale."""
+def spots_of(push: SolvedPush, sheet: Sheet, held: Held | None = None) -> dict[Handle, Spot]:
+    """Handles of a push on a sheet."""
+    return place_handles(handle_positions(push.state, push.force), sheet, held)
+
+
+def push_picture(push: SolvedPush, sheet: Sheet | None = None, held: Held | None = None) -> Picture:
+    """Picture of slider, pusher and cones, with the chosen solution in full and the others pale.
+
+    On a sheet, the handles have their names beside them, and other labels keep off both.
+    """
     picture, sketch = Picture(), push.sketch
     half = HALF * sketch.reach
     add_slider(picture, sketch, -half, half)
@@ -97,8 +104,8 @@ def push_picture(push: SolvedPush) -> Picture:
     if sketch.pusher is not None and np.any(sketch.contact_of(sketch.solution)):
         # The fence moves alike everywhere; the handle is at the tip of this arrow.
         picture.motion((0, 0), sketch.motion_scale * sketch.pusher, color=PUSHER)
-    for position in handle_positions(push.state, push.force).values():
-        picture.reserve(position, HANDLE)  # labels keep off the handles
+    if sheet is not None:
+        add_names(picture, spots_of(push, sheet, held), sheet)
     name_centers(picture, sketch.body, sketch.pose)
     return picture
 
@@ -114,17 +121,6 @@ def push_box(state: State) -> Array:
         segment = wall.segment(frame.pose.origin, 2.0 * frame.half)
         around = around if segment is None else np.concatenate([around, segment])
     return np.array([around.min(axis=0), around.max(axis=0)])
-
-
-def handles(push: SolvedPush, sheet: Sheet) -> str:
-    """Markup of the handles as circles, with a mark on the one that the keys move."""
-    circles = ""
-    for name, position in handle_positions(push.state, push.force).items():
-        x, y = sheet.to_sheet(position)
-        chosen = " chosen" if name == push.state.handle else ""
-        circle = f'cx="{x:.1f}" cy="{y:.1f}" r="{RADIUS}"'
-        circles += f'<circle class="handle{chosen}" data-handle="{name}" {circle}/>'
-    return circles
 
 
 def instant_picture(motion: FollowedMotion, time: float) -> Picture:
