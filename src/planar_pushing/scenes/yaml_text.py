@@ -53,7 +53,7 @@ class _Plain(Composer):
 
 
 class _TooManyDigits(Exception):
-    """An integer that Python takes minutes to read, or refuses to print."""
+    """An integer of so many digits that Python may refuse to print it, or to read it."""
 
     def __init__(self, text: str, mark: Any) -> None:
         super().__init__(

@@ -341,7 +341,8 @@ def test_what_killed_builds_have_left_is_removed_and_that_of_a_running_one_stays
     (folder / f".{hook.TARGET}.notes").write_bytes(b"the user's own")
     hook.build(folder)
     names = {path.name for path in folder.iterdir()}
-    assert names == {"one.py", hook.TARGET, running.name, f".{hook.TARGET}.notes"}
+    left = {running.name, f".{hook.TARGET}.notes"}
+    assert {name for name in names if name.startswith(".")} == left
 
 
 ASK = """
