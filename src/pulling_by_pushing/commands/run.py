@@ -141,7 +141,7 @@ def _snakemake(args: argparse.Namespace) -> int:
 
 def _terminate_children() -> None:
     """Send SIGTERM to Snakemake and its jobs; Snakemake alone would wait for them."""
-    import psutil  # a dependency of Snakemake
+    import psutil  # type: ignore[import-untyped]  # a dependency of Snakemake
 
     for process in psutil.Process().children(recursive=True):
         with suppress(psutil.Error):

@@ -13,7 +13,7 @@ import io
 import os
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -142,8 +142,10 @@ def _hold_interrupts() -> Iterator[None]:
         yield
         return
     held: list[Any] = []
-    handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
-    handlers = {number: handler for number, handler in handlers.items() if callable(handler)}
+    handlers: dict[int, Callable[..., Any]] = {}
+    for number in (signal.SIGINT, signal.SIGTERM):
+        if callable(handler := signal.getsignal(number)):
+            handlers[number] = handler
     for number in handlers:
         signal.signal(number, lambda *arguments: held.append(arguments))
     try:
@@ -152,5 +154,5 @@ def _hold_interrupts() -> Iterator[None]:
         for number, handler in handlers.items():
             signal.signal(number, handler)
         if held:
-            number, frame = held[0]
-            handlers[number](number, frame)  # type: ignore[operator]
+            first, frame = held[0]
+            handlers[first](first, frame)
