@@ -142,7 +142,7 @@ def _hold_interrupts() -> Iterator[None]:
         yield
         return
     held: list[Any] = []
-    handlers: dict[int, Callable[..., Any]] = {}
+    handlers: dict[signal.Signals, Callable[..., Any]] = {}
     for number in (signal.SIGINT, signal.SIGTERM):
         if callable(handler := signal.getsignal(number)):
             handlers[number] = handler
