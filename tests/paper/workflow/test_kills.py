@@ -28,8 +28,8 @@ COMMAND = [sys.executable, "-m", "planar_pushing"]
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(PROJECT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 CODES = {signal.SIGKILL: -signal.SIGKILL, signal.SIGTERM: 143, signal.SIGINT: 130}
-#: Seconds within which a signal ends a command, on a machine that has other work.
-SOON = 10.0
+#: Seconds after which a command that was sent a signal hangs, also on a machine that has other work.
+HANGS = 60.0
 #: A grid that is computed in blocks, and one in one piece.
 STUDY = """title: Two rods
 slider: {rod_angle: 45}
@@ -73,11 +73,10 @@ def end(process, number, seconds, group=False):
     if process.poll() is None:
         (os.killpg if group else os.kill)(process.pid, number)
         begin = time.monotonic()
-        said = process.communicate()[1]
+        said = process.communicate(timeout=HANGS)[1]
         while is_running(process.pid):
-            assert time.monotonic() - begin < SOON, "processes go on"
+            assert time.monotonic() - begin < HANGS, "processes go on"
             time.sleep(0.05)
-        assert time.monotonic() - begin < SOON
         return process.returncode, said
     return process.returncode, process.communicate()[1]
 
@@ -200,7 +199,7 @@ sent = []
 def send():
     sent.append(time.perf_counter())
     signal.raise_signal(signal.{number})
-threading.Timer(2.0, send).start()
+threading.Timer(1.0, send).start()
 try:
     with termination_as_interrupt():
         calls["{call}"]()
@@ -217,4 +216,4 @@ def test_a_signal_ends_a_long_computation(call, number):
         capture_output=True, text=True, check=False, preexec_fn=interruptible,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    assert float(done.stdout) < SOON
+    assert float(done.stdout) < HANGS
