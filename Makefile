@@ -131,7 +131,7 @@ lock: $(INSTALLED) ## update requirements.lock to the newest versions of the dep
 clean: ## remove all generated files
 	rm -rf $(VENV) .making .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache .coverage build dist
 	find src tests joiner -name __pycache__ -prune -exec rm -rf {} +
-	rm -f src/planar_pushing/core/_compiled.*
+	rm -f src/planar_pushing/core/_compiled.* src/planar_pushing/core/._compiled.*
 	find results -mindepth 1 -not -name README.md -delete
 
 help:

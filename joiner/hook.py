@@ -95,6 +95,7 @@ def replace(target: Path, new: Path) -> None:
     """Replace a library by a new one, completely or not at all."""
     copy = target.with_name(f".{TARGET}.{os.getpid()}")
     try:
+        _forget_copies(target)
         shutil.copy(new, copy)
         copy.replace(target)
     except OSError as error:
@@ -103,6 +104,25 @@ def replace(target: Path, new: Path) -> None:
     finally:
         with contextlib.suppress(OSError):
             copy.unlink(missing_ok=True)
+
+
+def _forget_copies(target: Path) -> None:
+    """Remove the copies that killed builds have left; that of a build that still runs stays."""
+    for copy in target.parent.glob(f".{TARGET}.*"):
+        number = copy.name.rpartition(".")[2]
+        if number.isdecimal() and not _is_running(int(number)):
+            with contextlib.suppress(OSError):
+                copy.unlink()
+
+
+def _is_running(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (OSError, OverflowError):  # of another user, or no number of a process
+        return True
+    return True
 
 
 def build_or_exit(folder: Path | None = None) -> Path | None:

@@ -39,6 +39,8 @@ from planar_pushing.terms.errors import (
     SceneWarning,
     suggestion,
 )
+from planar_pushing.terms.locks import regular_file
+from planar_pushing.terms.signals import Termination, termination_as_interrupt
 
 #: Group of the entry points of other packages' commands, each a module with a function `add`. Help, version
 #: and completion import all of these modules, so none imports numpy before its command runs.
@@ -59,8 +61,8 @@ COMMANDS = (
 )
 #: How Python prints a warning: with file and line, which are not those of a user of the command line.
 SHOW = warnings.showwarning
-#: Exit codes other than 0, by shell convention: invalid input, Ctrl-C, and a closed output pipe.
-INVALID, INTERRUPTED, UNREAD = 2, 130, 141
+#: Exit codes other than 0, by shell convention: invalid input, Ctrl-C, a closed output pipe, and SIGTERM.
+INVALID, INTERRUPTED, UNREAD, TERMINATED = 2, 130, 141, 143
 
 
 def parser() -> Parser:
@@ -81,11 +83,21 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; return 0, 1 if a check fails, or 2 with a message if the input is invalid."""
     sys.unraisablehook = _repeat_interrupt
+    _open_closed_streams()
+    with termination_as_interrupt():
+        return _run_to_end(arguments)
+
+
+def _run_to_end(arguments: Sequence[str] | None) -> int:
+    """Run the command line; however it ends, in an exit code and at most one line."""
     try:
         try:
             return _run(arguments)
         finally:
             sys.stdout.flush()
+    except Termination:
+        print("planar-pushing: terminated", file=sys.stderr)
+        return TERMINATED
     except KeyboardInterrupt:
         print("planar-pushing: interrupted", file=sys.stderr)
         return INTERRUPTED
@@ -153,12 +165,14 @@ def _check_words(words: Sequence[str], top: Parser, commands: Mapping[str, Parse
 
 
 def _check_output(args: argparse.Namespace) -> None:
-    """Reject an output file in a missing folder, whose path may be mistyped, or in a file."""
+    """Reject an output file in a missing folder, whose path may be mistyped, or in a file, and a device."""
     output = getattr(args, "output", None)
     if output is not None and not output.parent.is_dir():
         create = f"create the folder {output.parent}, or " if not output.parent.exists() else ""
         remedy = f"{create}choose another file"
         raise InvalidValue("output", str(output), "a file in an existing folder", remedy)
+    if output is not None:
+        regular_file(output)
 
 
 def _print(result: dict[str, object], as_json: bool) -> None:
@@ -171,9 +185,11 @@ def _print(result: dict[str, object], as_json: bool) -> None:
 
 
 def _repeat_interrupt(dropped: sys.UnraisableHookArgs) -> None:
-    """Send Ctrl-C again if it occurred in a destructor or a callback, where Python drops it."""
+    """Send a signal again if it came in a destructor or a callback, where Python drops what it raises."""
     if issubclass(dropped.exc_type, KeyboardInterrupt):
-        threading.Timer(0.01, os.kill, [os.getpid(), signal.SIGINT]).start()
+        is_termination = issubclass(dropped.exc_type, Termination)
+        number = signal.SIGTERM if is_termination else signal.SIGINT
+        threading.Timer(0.01, os.kill, [os.getpid(), number]).start()
     else:
         sys.__unraisablehook__(dropped)
 
@@ -182,3 +198,18 @@ def _discard_output() -> None:
     """Discard pending output, which Python would otherwise try to write again on exit."""
     with suppress(OSError):  # an output that is not backed by a file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _open_closed_streams() -> None:
+    """Open the null device in the place of each standard stream that is closed, as cron jobs close them.
+
+    Otherwise the next file that is opened takes its place, and receives what is printed.
+    """
+    for number, name in enumerate(("stdin", "stdout", "stderr")):
+        if getattr(sys, name) is None:
+            stream = open(os.devnull, "r+" if number else "r", encoding="utf-8")  # noqa: PTH123, SIM115
+            setattr(sys, name, stream)
+            with suppress(OSError):
+                os.fstat(number)
+                continue
+            os.dup2(stream.fileno(), number)

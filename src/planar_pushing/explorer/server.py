@@ -12,6 +12,7 @@ import webbrowser
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import panel as pn
 from panel.io.server import get_server
@@ -49,7 +50,7 @@ class Explorer:
         self.server: Any = get_server(
             {"/": self._page}, port, HOST, websocket_origin=origins, title="Planar pushing"
         )
-        _refuse_other_hosts(self.server._tornado)
+        _refuse_other_requests(self.server._tornado)
         for listener in self.server._http._sockets.values():
             # Otherwise TCP delays a small message by up to 40 ms, until the previous one is acknowledged.
             listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -110,11 +111,26 @@ def _decode(arguments: Mapping[str, list[bytes]]) -> dict[str, str]:
     }
 
 
-def _refuse_other_hosts(application: Any) -> None:
-    """Answer only requests to this machine's own names, so that no other site can name this server."""
+class _OwnRequests(HostMatches):
+    """Requests to this machine's own names, so that no other site can name this server.
+
+    A path that leaves a folder or has a null character names no file of the page, and a page with an
+    address in https cannot come from this server. All of these are answered by 404.
+    """
+
+    def match(self, request: Any) -> dict[str, Any] | None:
+        path = unquote(request.path)
+        is_odd = ".." in re.split(r"[/\\]", path) or "\0" in path
+        if is_odd or request.headers.get("Origin", "").startswith("https:"):
+            return None
+        return super().match(request)
+
+
+def _refuse_other_requests(application: Any) -> None:
+    """Answer only the requests that this server is for."""
     names = "|".join(map(re.escape, HOSTS))
     application.default_router.rules[:] = [
-        Rule(HostMatches(f"({names})"), application.wildcard_router)
+        Rule(_OwnRequests(f"({names})"), application.wildcard_router)
     ]
 
 

@@ -127,7 +127,9 @@ def first_touch(
     places, motions = (
         np.broadcast_to(array, (*shape, 2)).reshape(-1, 2) for array in (start, motion)
     )
-    touches = _touch(whole, places, motions, np.broadcast_to(reach, shape).ravel(), slack)
+    # Pieces that are parallel to the motion, or as far away as numbers go, are not met.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        touches = _touch(whole, places, motions, np.broadcast_to(reach, shape).ravel(), slack)
     return Touch(
         **{name: values.reshape(shape + values.shape[1:]) for name, values in touches.items()}
     )
@@ -252,12 +254,11 @@ def _fractions_to_sides(
     away = start[:, None] - walls.rows[piece, :2]
     height, along = ((away * direction).sum(axis=-1) for direction in (normal, tangent))
     rate, speed = motion @ normal.T, motion @ tangent.T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slack, ahead = error[:, None], -(height + radius[:, None])
-        fraction = np.where(np.abs(ahead) <= slack, 0.0, ahead) / rate
-        position = along + fraction * speed
-        meets = (rate > 0.0) & (fraction >= 0.0) & (fraction <= 1.0)
-        meets &= (position >= -slack) & (position <= length + slack)
+    slack, ahead = error[:, None], -(height + radius[:, None])
+    fraction = np.where(np.abs(ahead) <= slack, 0.0, ahead) / rate
+    position = along + fraction * speed
+    meets = (rate > 0.0) & (fraction >= 0.0) & (fraction <= 1.0)
+    meets &= (position >= -slack) & (position <= length + slack)
     return np.where(meets, fraction, np.nan), np.clip(np.nan_to_num(position), 0.0, length)
 
 
@@ -281,11 +282,10 @@ def _fractions_to_circles(
     across = away[..., 0] * motion[:, None, 1] - away[..., 1] * motion[:, None, 0]
     root = square * reach * reach - across * across
     outside = (away * away).sum(axis=-1) - reach * reach
-    with np.errstate(divide="ignore", invalid="ignore"):
-        half = np.sqrt(root)
-        # Each root as a sum or as a ratio without cancellation.
-        enters = outside / (half - middle)
-        leaves = np.where(middle < 0.0, (half - middle) / square, -outside / (half + middle))
+    half = np.sqrt(root)
+    # Each root as a sum or as a ratio without cancellation.
+    enters = outside / (half - middle)
+    leaves = np.where(middle < 0.0, (half - middle) / square, -outside / (half + middle))
     inward = np.where(is_hollow, middle > 0.0, middle < 0.0)
     touches = np.abs(np.hypot(away[..., 0], away[..., 1]) - np.abs(reach)) <= slack
     fraction = np.where(is_hollow, leaves, enters)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -177,8 +177,21 @@ def _mapping(workers: Any) -> Iterator[Apply]:
     elif workers == 1:
         yield map
     else:
-        pool = ProcessPoolExecutor(workers, get_context("spawn"), use_one_core)
-        try:
+        with process_pool(workers) as pool:
             yield pool.map
-        finally:
-            pool.shutdown(cancel_futures=True)
+
+
+@contextmanager
+def process_pool(workers: int) -> Iterator[ProcessPoolExecutor]:
+    """Pool of processes that use one core each, and that end with the block, also if it is interrupted."""
+    others = active_children()
+    pool = ProcessPoolExecutor(workers, get_context("spawn"), use_one_core)
+    try:
+        yield pool
+    except KeyboardInterrupt:
+        # SIGTERM, unlike Ctrl-C in a terminal, has reached this process alone.
+        for process in set(active_children()).difference(others):
+            process.terminate()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)

@@ -21,6 +21,8 @@ BYTES = 2**18
 LINE = 120
 #: Digits after a decimal comma.
 FRACTION = re.compile(r"\d[\d.]*([eE][-+]?\d+)?")
+#: Maximum number of characters of an integer: beyond it, no number of 64 bits is that large.
+DIGITS = 400
 #: First bytes of a netCDF4 file.
 NETCDF4 = b"\x89HDF"
 
@@ -34,6 +36,12 @@ class _Plain(Composer):
             raise ComposerError(None, None, "aliases are not allowed", event.start_mark)
         return super().compose_node(parent, index)
 
+    def compose_scalar_node(self, anchor: Any) -> Any:
+        node = super().compose_scalar_node(anchor)
+        if str(node.tag).endswith(":int") and len(node.value) > DIGITS:
+            raise _TooManyDigits(node.value, node.start_mark)
+        return node
+
     def compose_mapping_node(self, anchor: Any) -> Any:
         node = super().compose_mapping_node(anchor)
         for (key, value), (rest, nothing) in itertools.pairwise(node.value):
@@ -42,6 +50,16 @@ class _Plain(Composer):
                     str(key.value)[:LINE], f"{value.value},{rest.value}", value.start_mark
                 )
         return node
+
+
+class _TooManyDigits(Exception):
+    """An integer of so many digits that Python may refuse to print it, or to read it."""
+
+    def __init__(self, text: str, mark: Any) -> None:
+        super().__init__(
+            f"line {mark.line + 1}, column {mark.column + 1}: an integer of {len(text)} characters given; "
+            f"allowed: at most {DIGITS}; write a number such as 1.5e3"
+        )
 
 
 class _DecimalComma(Exception):
@@ -76,14 +94,14 @@ def read_yaml(path: Path) -> Any:
     ------
     InvalidFile
         If the file cannot be read, is too large, is not YAML, has aliases or tags, or has a number with a
-        decimal comma.
+        decimal comma or with hundreds of digits.
     """
     text = _text(path)
     loader = YAML(typ="safe", pure=True)
     loader.Composer = _Plain
     try:
         return loader.load(text)
-    except _DecimalComma as error:
+    except (_DecimalComma, _TooManyDigits) as error:
         raise InvalidFile(f"{path}: {error}") from None
     except YAMLError as error:
         raise InvalidFile(f"{path}: not YAML: {_where(error)}; correct the line") from None

@@ -31,7 +31,7 @@ from planar_pushing.terms.errors import (
     require_option,
     require_path,
 )
-from planar_pushing.terms.locks import PathLike
+from planar_pushing.terms.locks import PathLike, regular_file
 from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
@@ -171,7 +171,7 @@ def simulate(
     )  # fmt: skip
     warn_of_doubts(problem)
     if path is not None:
-        require_path("path", path)
+        regular_file(require_path("path", path))
     require_flag("progress", progress)
     chosen = require_option("method", method, Method, "name one of these methods")
     times = np.linspace(0.0, float(problem.duration), int(SAMPLE_COUNT.require("samples", samples)))

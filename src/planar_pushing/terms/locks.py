@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import fcntl
 import os
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -14,6 +15,35 @@ from planar_pushing.terms.errors import InvalidFile
 PathLike = str | os.PathLike[str]
 #: Errors of a file system without locks, such as that of some clusters.
 WITHOUT_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.ENOSYS)
+#: What stands where a regular file is expected, by its type.
+OTHER_TYPES = {
+    stat.S_IFDIR: os.strerror(errno.EISDIR), stat.S_IFIFO: "Is a pipe", stat.S_IFSOCK: "Is a socket",
+    stat.S_IFCHR: "Is a device", stat.S_IFBLK: "Is a device",
+}  # fmt: skip
+
+
+def regular_file(path: PathLike) -> Path:
+    """The file to write, which is the target of `path` if that is a link; it need not exist.
+
+    Raises
+    ------
+    InvalidFile
+        If the path is that of a folder, a device, a pipe or a socket, or of a file that the user may not
+        write.
+    """
+    target = Path(os.path.realpath(path))
+    try:
+        kind = stat.S_IFMT(target.stat().st_mode)
+    except FileNotFoundError:
+        return target
+    except OSError as error:
+        raise unwritable(path, error) from None
+    if kind != stat.S_IFREG:
+        reason = OTHER_TYPES.get(kind, "Is not a regular file")
+        raise unwritable(path, OSError(errno.EINVAL, reason))
+    if not os.access(target, os.W_OK):
+        raise unwritable(path, OSError(errno.EACCES, os.strerror(errno.EACCES)))
+    return target
 
 
 @contextmanager

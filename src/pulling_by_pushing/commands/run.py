@@ -15,6 +15,7 @@ from typing import Any
 import pulling_by_pushing
 from planar_pushing.commands.words import Commands, command
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
+from planar_pushing.terms.signals import Termination
 
 #: Locations of the workflow: inside an installed package, or at the top of a checkout.
 PLACES = (".", "../..")
@@ -99,7 +100,10 @@ def config_path(path: Path) -> str:
 
 
 def _snakemake(args: argparse.Namespace) -> int:
-    """Run Snakemake, which handles Ctrl-C and ends its own jobs; return the exit code."""
+    """Run Snakemake, which handles Ctrl-C and ends its own jobs; return the exit code.
+
+    The terminal sends Ctrl-C to Snakemake and its jobs, too. SIGTERM is passed on to them.
+    """
     file = snakefile()
     words = [
         *(
@@ -115,14 +119,30 @@ def _snakemake(args: argparse.Namespace) -> int:
     ]
     environment = {key: value for key, value in os.environ.items() if key != "SNAKEMAKE_PROFILE"}
     heard: list[int] = []
-    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+
+    def hear(number: int, _: object) -> None:
+        heard.append(number)
+        if number == signal.SIGTERM:
+            _terminate_children()
+
+    before = {number: signal.signal(number, hear) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
         status = subprocess.run(
             [sys.executable, "-m", "snakemake", *words], env=environment, check=False,
             stdout=2 if args.json else None,
         ).returncode  # fmt: skip
     finally:
-        signal.signal(signal.SIGINT, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)
     if heard:
-        raise KeyboardInterrupt
+        raise Termination if signal.SIGTERM in heard else KeyboardInterrupt
     return int(bool(status))
+
+
+def _terminate_children() -> None:
+    """Send SIGTERM to Snakemake and its jobs; Snakemake alone would wait for them."""
+    import psutil  # type: ignore[import-untyped]  # a dependency of Snakemake
+
+    for process in psutil.Process().children(recursive=True):
+        with suppress(psutil.Error):
+            process.terminate()

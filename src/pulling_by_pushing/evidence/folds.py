@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from functools import partial
-from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.halves import Apply, Task, use_one_core
+from planar_pushing.pushes.halves import Apply, Task, process_pool
 from planar_pushing.terms.replacing import replacing
 from pulling_by_pushing.study.running.code import code_of
 
@@ -29,15 +27,12 @@ def kept_map(processes: int, folder: Path = FOLDER) -> Iterator[Apply]:
     """Function like `map` for the tasks of `compare` that computes errors which are not in a folder."""
     code = code_of(MODULE)
     folder.mkdir(parents=True, exist_ok=True)
-    with ProcessPoolExecutor(processes, get_context("spawn"), use_one_core) as pool:
+    with process_pool(processes) as pool:
 
         def apply(function: Callable[[Task], Array], tasks: Iterable[Task]) -> Iterable[Array]:
             return pool.map(partial(kept_errors, function, folder, code), tasks)
 
-        try:
-            yield apply
-        finally:
-            pool.shutdown(cancel_futures=True)
+        yield apply
 
 
 def kept_errors(function: Callable[[Task], Array], folder: Path, code: str, task: Task) -> Array:

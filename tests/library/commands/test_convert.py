@@ -121,6 +121,15 @@ def test_a_file_in_place_of_the_format(capsys, words, remedy):
     )
 
 
+@pytest.mark.parametrize("radius", ["1e308", "1e200"])
+def test_a_finger_as_large_as_numbers_go_is_refused_without_a_warning(refused, tmp_path, radius):
+    outline, path = tmp_path / "box.yaml", tmp_path / "pushes.nc"
+    outline.write_text(CORNERS, encoding="utf-8")
+    words = ["csv", TABLE, "--outline", str(outline), "--finger-radius", radius, "-o", str(path)]
+    refused(["convert", *words], f"{TABLE}: finger_start: 'a finger that begins 1e+")
+    assert not path.exists()
+
+
 def test_wrong_input_writes_nothing(refused, tmp_path, pushes):
     file, path = tmp_path / "patch.txt", tmp_path / "pushes.nc"
     lines = write_log(file, pushes, np.random.default_rng(1))

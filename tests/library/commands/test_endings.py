@@ -75,13 +75,23 @@ def test_a_reader_that_has_gone_ends_the_command_in_silence(arguments):
     assert (process.wait(), said) == (141, "")
 
 
-def test_ctrl_c_in_a_destructor_ends_the_command_too():
-    program = """
+#: By signal: exit code, message, and what it raises.
+SIGNALS = {
+    signal.SIGINT: (130, "planar-pushing: interrupted\n", "KeyboardInterrupt"),
+    signal.SIGTERM: (143, "planar-pushing: terminated\n", "Termination"),
+}
+
+
+@pytest.mark.parametrize("number", SIGNALS)
+def test_ctrl_c_in_a_destructor_ends_the_command_too(number):
+    code, message, raised = SIGNALS[number]
+    program = f"""
 import sys, time
 from planar_pushing import commands
+from planar_pushing.terms.signals import Termination
 class Dropped:
     def __del__(self):
-        raise KeyboardInterrupt
+        raise {raised}
 def run(arguments):
     Dropped()
     time.sleep(60)
@@ -95,10 +105,11 @@ sys.exit(commands.main())
         check=False,
         preexec_fn=interruptible,
     )
-    assert (found.returncode, found.stderr) == (130, "planar-pushing: interrupted\n")
+    assert (found.returncode, found.stderr) == (code, message)
 
 
-def test_ctrl_c_is_one_line_and_leaves_what_was_logged(tmp_path):
+@pytest.mark.parametrize("number", SIGNALS)
+def test_ctrl_c_is_one_line_and_leaves_what_was_logged(tmp_path, number):
     path = tmp_path / "log.nc"
     words = ["simulate", SCENE, "-o", str(path), "--samples", "3000000"]
     process = subprocess.Popen(
@@ -107,11 +118,46 @@ def test_ctrl_c_is_one_line_and_leaves_what_was_logged(tmp_path):
     while not path.is_file() or path.stat().st_size < 200_000:
         assert process.poll() is None
         time.sleep(0.02)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(number)
     said = process.communicate()[1]
-    assert (process.returncode, said) == (130, "planar-pushing: interrupted\n")
+    assert (process.returncode, said) == SIGNALS[number][:2]
+    assert [each.name for each in tmp_path.iterdir()] == ["log.nc"]
     with xr.open_dataset(path, engine="h5netcdf") as found:
         assert (found.attrs["finished"], found.sizes["time"] > 0) == (0, True)
+
+
+def test_sigterm_that_is_ignored_stays_so(run, monkeypatch):
+    before = signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    try:
+        assert run("completion", "bash")[0] == 0
+        assert signal.getsignal(signal.SIGTERM) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+@pytest.mark.parametrize("closed", [(1,), (2,), (0, 1, 2)], ids=str)
+@pytest.mark.parametrize(("arguments", "code"), [
+    (["--version"], 0),
+    (["solve", SCENE, "--pusher-angle", "90", "--json"], 0),
+    (["solve", "nowhere.yaml"], 2),
+    (["solve"], 2),
+    (["simulate", SCENE, "-o", "LOG"], 0),
+], ids=str)  # fmt: skip
+def test_closed_streams_change_no_exit_code_and_no_file(tmp_path, arguments, code, closed):
+    """What is printed goes nowhere, and not to a file that is opened in the place of the stream."""
+    path = tmp_path / "log.nc"
+    words = [str(path) if word == "LOG" else word for word in arguments]
+    found = subprocess.run(
+        [*COMMAND, *words], capture_output=True, text=True, check=False,
+        preexec_fn=lambda: [os.close(number) for number in closed],
+    )  # fmt: skip
+    assert found.returncode == code
+    assert "Traceback" not in found.stdout + found.stderr
+    if 2 in closed:
+        assert "planar-pushing: " not in found.stdout
+    if "LOG" in arguments:
+        with xr.open_dataset(path, engine="h5netcdf") as log:
+            assert log.attrs["finished"] == 1
 
 
 def test_what_is_written_takes_the_place_of_what_is_there_whole_or_not_at_all(run, tmp_path):
@@ -121,6 +167,25 @@ def test_what_is_written_takes_the_place_of_what_is_there_whole_or_not_at_all(ru
         assert run("draw", SCENE, "-o", str(path))[0] == 2
     assert [each.name for each in tmp_path.iterdir()] == ["scene.svg"]
     assert path.read_text(encoding="utf-8") == "old"
+
+
+def test_the_file_behind_a_link_is_written(run, tmp_path):
+    path = tmp_path / "scene.svg"
+    path.symlink_to("real.svg")
+    assert run("draw", SCENE, "-o", str(path))[0] == 0
+    assert path.is_symlink()
+    assert (tmp_path / "real.svg").read_text(encoding="utf-8").startswith("<?xml")
+
+
+@pytest.mark.parametrize("command", [
+    ["simulate", SCENE], ["draw", SCENE], ["animate", "log.nc"], ["assess", SCENE],
+    ["convert", "csv", "box.csv"], ["identify", "pushes.nc"],
+], ids=str)  # fmt: skip
+def test_a_device_is_refused_before_any_work(refused, tmp_path, command):
+    path = tmp_path / "device"
+    path.symlink_to(os.devnull)
+    refused([*command, "-o", str(path)], f"{path}: cannot be written (Is a device); name another")
+    assert path.is_char_device()
 
 
 def test_a_folder_is_no_file_to_write(refused, tmp_path):

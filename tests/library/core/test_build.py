@@ -331,6 +331,20 @@ def test_a_build_that_fails_leaves_nothing_half_written(tmp_path, monkeypatch):
     assert {path.suffix for path in folder.iterdir()} == {".py", ".so"}
 
 
+def test_what_killed_builds_have_left_is_removed_and_that_of_a_running_one_stays(tmp_path):
+    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    ended = subprocess.Popen([sys.executable, "-c", ""])
+    ended.wait()
+    running = folder / f".{hook.TARGET}.{os.getppid()}"
+    running.write_bytes(b"half")
+    (folder / f".{hook.TARGET}.{ended.pid}").write_bytes(b"half")
+    (folder / f".{hook.TARGET}.notes").write_bytes(b"the user's own")
+    hook.build(folder)
+    names = {path.name for path in folder.iterdir()}
+    left = {running.name, f".{hook.TARGET}.notes"}
+    assert {name for name in names if name.startswith(".")} == left
+
+
 ASK = """
 import sys, warnings
 import numpy as np

@@ -60,6 +60,28 @@ def test_only_this_machine_s_names_are_served(explorer, host, status):
     connection.close()
 
 
+@pytest.mark.parametrize("path", [
+    "/components/../../../etc/passwd", "/components/%2e%2e/%2E%2e/etc/passwd", "/static/../x",
+    "/static/js/..%5c..%5cx", "/static/js/%00", "/%00", "/nowhere",
+])  # fmt: skip
+def test_odd_paths_are_not_found(explorer, path, caplog):
+    connection = http.client.HTTPConnection("127.0.0.1", explorer.server.port, timeout=60)
+    connection.request("GET", path)
+    assert connection.getresponse().status == 404
+    connection.close()
+    assert not [each for each in caplog.records if each.levelname == "ERROR"]
+
+
+@pytest.mark.parametrize(("scheme", "status"), [("http", 200), ("https", 404)])
+def test_no_page_in_https_is_ours(explorer, scheme, status):
+    connection = http.client.HTTPConnection("127.0.0.1", explorer.server.port, timeout=60)
+    connection.request(
+        "GET", "/", headers={"Origin": f"{scheme}://127.0.0.1:{explorer.server.port}"}
+    )
+    assert connection.getresponse().status == status
+    connection.close()
+
+
 @pytest.mark.parametrize("query", ["effects=" + "[" * 3000, "title=%ff%fe"])
 def test_a_hostile_address_gives_a_page(explorer, query, caplog):
     connection = http.client.HTTPConnection("127.0.0.1", explorer.server.port, timeout=60)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -13,7 +14,7 @@ from pushes.written import TRIANGLE, feet
 import planar_pushing as pp
 from planar_pushing.pushes.fit.quartic import quartic_tensor
 from planar_pushing.pushes.fit.statistics import split_statistics, statistics
-from planar_pushing.pushes.halves import FEWEST, divide, divide_resamples
+from planar_pushing.pushes.halves import FEWEST, divide, divide_resamples, process_pool
 
 NOISE = (0.5, 0.3, 0.05)
 QUICK = ["known_feet", "uniform"]
@@ -223,3 +224,18 @@ def test_wrong_options(pushes, options, said):
 def test_too_few_pushes_to_resample(pushes):
     with pytest.raises(pp.InvalidValue, match=r"15 pushes of object .* at least 16"):
         pp.compare(pushes.isel(push=slice(15)), QUICK, splits=2)
+
+
+def test_an_interrupted_pool_ends_its_processes():
+    """SIGTERM reaches the first process alone."""
+    start = time.monotonic()
+
+    def work(pool):
+        task = pool.submit(time.sleep, 120)
+        while not task.running():
+            time.sleep(0.05)
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt), process_pool(1) as pool:
+        work(pool)
+    assert time.monotonic() - start < 60

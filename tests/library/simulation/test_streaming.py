@@ -19,9 +19,11 @@ from mechanics.builders import make_scene
 from simulation.runs import final, heading, run
 
 import planar_pushing as pp
+from planar_pushing.simulation.storage.disk import block_interrupts
 from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.quantities import unit_of
 from planar_pushing.terms.replacing import replacing
+from planar_pushing.terms.signals import Termination, termination_as_interrupt
 from signals import interruptible, uninterruptible
 
 SCENE, FENCE = make_scene(2, 0.5), [(0, heading(60)), (0.5, heading(100))]
@@ -162,6 +164,29 @@ def test_ctrl_c_at_any_time_leaves_a_log_or_none(tmp_path, heard):
             with xr.open_dataset(path, engine="h5netcdf") as log:
                 assert log.attrs["finished"] in (0, 1)
     assert gc.isenabled()
+
+
+def test_sigterm_leaves_a_readable_log(tmp_path):
+    """Where it is an exception, as in a command; it comes while the file is written, too."""
+    path = tmp_path / "log.nc"
+    with pytest.raises(Termination), termination_as_interrupt():
+        streamed(path, until=once_written(path, lambda: signal.raise_signal(signal.SIGTERM)))
+    assert signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
+    require_part(path)
+
+
+def test_sigterm_waits_for_the_end_of_a_write():
+    steps = []
+
+    def write():
+        with block_interrupts():
+            signal.raise_signal(signal.SIGTERM)
+            steps.append("written")
+        steps.append("never reached")
+
+    with pytest.raises(Termination), termination_as_interrupt():
+        write()
+    assert steps == ["written"]
 
 
 def test_ctrl_c_that_is_ignored_stays_so(tmp_path, heard):

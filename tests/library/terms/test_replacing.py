@@ -3,6 +3,7 @@
 import errno
 import fcntl
 import os
+import socket
 import subprocess
 import sys
 import threading
@@ -11,17 +12,20 @@ import time
 import numpy as np
 import pytest
 import xarray as xr
+from mechanics.builders import make_scene
+from simulation.runs import heading, run
 
+import planar_pushing as pp
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.netcdf import write_dataset
-from planar_pushing.terms.replacing import replacing
+from planar_pushing.terms.replacing import replacing, working_folder
 from pulling_by_pushing.study.store import read_dataset
 
 BUSY = r"file\.txt: another process is writing it; name another file"
 #: A process that writes half of a file and then does what it is told.
 WRITER = """
 import os, signal, sys
-from planar_pushing.terms.replacing import replacing
+from planar_pushing.terms.replacing import replacing, working_folder
 with replacing("file.txt") as temporary:
     temporary.write_text("half")
     print("ready", flush=True)
@@ -171,6 +175,127 @@ def test_permissions_are_those_that_the_user_gives_new_files(tmp_path):
     finally:
         os.umask(before)
     assert (tmp_path / "file.txt").stat().st_mode & 0o777 == 0o640
+
+
+# --- What stands in the place of the file ---------------------------------------------------------
+
+
+def test_the_target_of_a_link_is_replaced(tmp_path):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "link").symlink_to("folder/file.txt")
+    for text in ("new", "newer"):  # the target is missing, or there
+        write(tmp_path / "link", text)
+        assert (tmp_path / "link").is_symlink()
+        assert (tmp_path / "folder" / "file.txt").read_text() == text
+    assert names(tmp_path) == ["folder", "link"]
+    assert names(tmp_path / "folder") == ["file.txt"]
+
+
+def test_two_names_of_a_file_have_one_writer(tmp_path):
+    (tmp_path / "link").symlink_to("file.txt")
+    with replacing(tmp_path / "file.txt") as temporary:
+        temporary.write_text("first")
+        with pytest.raises(InvalidFile, match="link: another process is writing it"):
+            write(tmp_path / "link")
+    assert (tmp_path / "file.txt").read_text() == "first"
+
+
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o666, 0o755])
+def test_permissions_are_kept(tmp_path, mode):
+    (tmp_path / "file.txt").write_text("old")
+    (tmp_path / "file.txt").chmod(mode)
+    with replacing(tmp_path / "file.txt") as temporary:
+        assert temporary.stat().st_mode & 0o777 == 0o600
+        temporary.write_text("new")
+    assert (tmp_path / "file.txt").read_text() == "new"
+    assert (tmp_path / "file.txt").stat().st_mode & 0o777 == mode
+
+
+def special_file(kind, path):
+    """Make something that is no regular file; its description in messages."""
+    if kind == "device":
+        path.symlink_to(os.devnull)
+    elif kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "socket":
+        with socket.socket(socket.AF_UNIX) as server:
+            server.bind(str(path))
+    else:
+        path.mkdir()
+    return {"folder": "Is a directory"}.get(kind, f"Is a {kind}")
+
+
+WRITERS = {
+    "replacing": write,
+    "save_scene": lambda path: pp.save_scene(make_scene(2, 0.5), path),
+    "simulate": lambda path: run(make_scene(2, 0.5), [(0, heading(60))], 1, path=path),
+}
+
+
+@pytest.mark.parametrize("kind", ["device", "pipe", "socket", "folder"])
+@pytest.mark.parametrize("writer", WRITERS)
+def test_what_is_no_regular_file_is_refused_and_stays(tmp_path, writer, kind):
+    description = special_file(kind, tmp_path / "f")
+    before = (tmp_path / "f").stat()
+    with pytest.raises(InvalidFile) as caught:
+        WRITERS[writer](tmp_path / "f")
+    assert str(caught.value) == (
+        f"{tmp_path}/f: cannot be written ({description}); name another file"
+    )
+    assert os.path.samestat((tmp_path / "f").stat(), before)
+    assert names(tmp_path) == ["f"]
+
+
+def test_a_file_that_the_user_may_not_write_is_refused(tmp_path, monkeypatch):
+    (tmp_path / "file.txt").write_text("old")
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    with pytest.raises(InvalidFile, match=r"file\.txt: cannot be written \(Permission denied\)"):
+        write(tmp_path / "file.txt")
+    assert (tmp_path / "file.txt").read_text() == "old"
+
+
+# --- A folder for what a file is made from --------------------------------------------------------
+
+
+def test_a_working_folder_is_new_and_is_removed(tmp_path):
+    with working_folder(tmp_path / "file.txt") as folder:
+        (folder / "block").write_text("1")
+        with (
+            pytest.raises(InvalidFile, match=BUSY),
+            working_folder(tmp_path / "file.txt"),
+        ):
+            pytest.fail("a second process makes the same file")
+        write(tmp_path / "file.txt")
+        assert names(folder) == ["block"]
+    assert names(tmp_path) == ["file.txt"]
+
+
+MAKER = """
+import os, signal
+from planar_pushing.terms.replacing import replacing, working_folder
+with working_folder("file.txt") as folder, replacing(folder / "block") as temporary:
+    temporary.write_text("half")
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_the_working_folder_of_a_killed_process_is_removed_by_the_next_one(tmp_path):
+    subprocess.run([sys.executable, "-c", MAKER], cwd=tmp_path, check=False)
+    assert names(tmp_path) == ["..file.txt.blocks.lock", ".file.txt.blocks"]
+    with working_folder(tmp_path / "file.txt") as folder:
+        assert names(folder) == []
+    assert names(tmp_path) == []
+
+
+def test_without_locks_the_working_folder_of_another_process_stays(tmp_path, monkeypatch):
+    def flock(*given):
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(fcntl, "flock", flock)
+    (tmp_path / ".file.txt.blocks").mkdir()
+    with working_folder(tmp_path / "file.txt") as folder:
+        assert names(folder) == []
+    assert names(tmp_path) == [".file.txt.blocks"]
 
 
 SAVER = """

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
@@ -74,15 +75,34 @@ def test_a_job_that_fails_is_said(run, folder, called):
     assert out == "results: results/studies/tiny\nbuilt: incomplete; see the lines above\n"
 
 
-def test_ctrl_c_is_snakemakes_and_ends_the_command(run, folder, monkeypatch):
+@pytest.mark.parametrize(("number", "code", "said"), [
+    (signal.SIGINT, 130, "planar-pushing: interrupted\n"),
+    (signal.SIGTERM, 143, "planar-pushing: terminated\n"),
+])  # fmt: skip
+def test_ctrl_c_is_snakemakes_and_ends_the_command(run, folder, monkeypatch, number, code, said):
     def interrupted(words, **options):
-        os.kill(os.getpid(), signal.SIGINT)  # as the terminal does to both
+        os.kill(os.getpid(), number)
         return subprocess.CompletedProcess(words, 1)
 
-    before = signal.getsignal(signal.SIGINT)
+    before = signal.getsignal(number)
     monkeypatch.setattr(subprocess, "run", interrupted)
-    assert run("run", "tiny.yaml") == (130, "", "planar-pushing: interrupted\n")
-    assert signal.getsignal(signal.SIGINT) is before
+    assert run("run", "tiny.yaml") == (code, "", said)
+    assert signal.getsignal(number) is before
+
+
+def test_sigterm_is_passed_on_to_snakemake(run, folder, monkeypatch):
+    """The terminal sends Ctrl-C to all processes of a command, and nobody sends them SIGTERM."""
+    real = subprocess.run
+
+    def asleep(words, **options):
+        timer = threading.Timer(0.5, os.kill, [os.getpid(), signal.SIGTERM])
+        timer.start()
+        ended = real([sys.executable, "-c", "import time; time.sleep(60)"], check=False)
+        assert ended.returncode == -signal.SIGTERM
+        return ended
+
+    monkeypatch.setattr(subprocess, "run", asleep)
+    assert run("run", "tiny.yaml") == (143, "", "planar-pushing: terminated\n")
 
 
 @pytest.mark.parametrize(("arguments", "said"), [

@@ -20,7 +20,10 @@ LAUGHS = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
         ("title: !scene {a: 3}", "not YAML: line 1, column 8: could not determine a constructor"),
         ("title: !!python/name:os.system", "not YAML: line 1, column 8: could not determine a con"),
         (r'title: "\UFFFFFFFF"', "not YAML: "),  # Python's own words, which differ by version
-        (f"title: {'9' * 5000}", "not YAML: Exceeds the limit (4300 digits)"),
+        *((f"title: {start}{'7' * 5000}", f"line 1, column 8: an integer of {5000 + len(start)} char")
+          for start in ("", "-", "0x", "0o")),
+        (f"grid: {{samples: [1, 0b{'1' * 5000}]}}", "line 1, column 21: an integer of 5002 characters"),
+        (f"0x{'f' * 5000}: 1", "line 1, column 1: an integer of 5002 characters given; allowed: at mo"),
         ("? [a, b]\n: 3", "('a', 'b'): 3 given; allowed: the keys title, slider"),
         ("? {a: b}\n: 3", "not YAML: line 1, column 3: found unhashable key"),
         (f"title: {'[' * 1000}{']' * 1000}", "not YAML: nested too deeply; reduce the nesting"),

@@ -3,7 +3,7 @@
 If HDF5 cannot write a file, for example on a full disk, it prints errors while objects are destroyed and
 crashes when the process ends. Here HDF5 never sees the failure; `check` raises it. Until then HDF5 also
 reads back what it has written, and crashes if it reads anything else. Memory therefore holds the data that
-the disk does not. It also crashes if that file is interrupted, so Ctrl-C is deferred meanwhile.
+the disk does not. It also crashes if that file is interrupted, so Ctrl-C and SIGTERM are deferred.
 """
 
 from __future__ import annotations
@@ -13,12 +13,11 @@ import io
 import os
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
-from planar_pushing.terms.locks import PathLike, sole_writer, unwritable
+from planar_pushing.terms.locks import PathLike, regular_file, sole_writer, unwritable
 
 
 class Disk(io.FileIO):
@@ -78,9 +77,9 @@ def new_file(path: PathLike) -> Iterator[Disk]:
     Raises
     ------
     InvalidFile
-        If the file cannot be written, or another process or thread is writing it.
+        If the file cannot be written or is not a regular one, or another process or thread is writing it.
     """
-    target = Path(os.path.realpath(path))
+    target = regular_file(path)
     with sole_writer(target, path):
         try:
             disk = Disk(target)
@@ -127,7 +126,7 @@ PAUSE = Pause()
 
 @contextmanager
 def block_interrupts() -> Iterator[None]:
-    """Defer Ctrl-C and the collection of garbage until after the block.
+    """Defer Ctrl-C, SIGTERM and the collection of garbage until after the block.
 
     HDF5 crashes if the Python file that it writes raises, and if objects of HDF5 are destroyed while that
     file is called, which the collection of garbage can do at any time.
@@ -138,14 +137,22 @@ def block_interrupts() -> Iterator[None]:
 
 @contextmanager
 def _hold_interrupts() -> Iterator[None]:
+    """Hold back the signals that call a function in Python, which could raise."""
     if threading.current_thread() is not threading.main_thread():  # only it receives signals
         yield
         return
     held: list[Any] = []
-    before = signal.signal(signal.SIGINT, lambda *arguments: held.append(arguments))
+    handlers: dict[signal.Signals, Callable[..., Any]] = {}
+    for number in (signal.SIGINT, signal.SIGTERM):
+        if callable(handler := signal.getsignal(number)):
+            handlers[number] = handler
+    for number in handlers:
+        signal.signal(number, lambda *arguments: held.append(arguments))
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before or signal.default_int_handler)
-        if held and callable(before):
-            before(*held[0])
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+        if held:
+            first, frame = held[0]
+            handlers[first](first, frame)

@@ -6,7 +6,6 @@ xarray and dask then combine the blocks into one file.
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
@@ -17,7 +16,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.kernels.arrays import CORES
 from planar_pushing.terms.netcdf import write_dataset
-from planar_pushing.terms.replacing import PathLike
+from planar_pushing.terms.replacing import PathLike, working_folder
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.chunks import blocks, chunk_name, open_chunks
 from pulling_by_pushing.study.describe import add_study_attributes, apply_declaration
@@ -65,11 +64,11 @@ def dataset(
     if len(parts) < 2:
         write_built(build_dataset(name, study), path, name, marks)
         return
-    with tempfile.TemporaryDirectory(dir=Path(path).parent, prefix=f".{name}.") as folder:
+    with working_folder(path) as folder:
         for part in parts:
             write_built(
                 build_dataset(name, select_ranges(study, part)),
-                Path(folder, _file(part)),
+                folder / _file(part),
                 name,
                 None,
             )

@@ -14,6 +14,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.signals import Termination, termination_as_interrupt
 
 PACKAGE = "planar_pushing"
 #: Number of log lines to show for a failed job.
@@ -31,7 +32,8 @@ def job_log(path: str) -> Iterator[logging.Logger]:
     with open(path, "a", encoding="utf-8") as lock:  # noqa: PTH123 - held open
         with suppress(OSError):  # a cluster's file system may not support locks
             fcntl.flock(lock, fcntl.LOCK_EX)
-        yield from _log_to(path)
+        with termination_as_interrupt():
+            yield from _log_to(path)
 
 
 def _log_to(path: str) -> Iterator[logging.Logger]:
@@ -50,6 +52,10 @@ def _log_to(path: str) -> Iterator[logging.Logger]:
         raise SystemExit(1) from None
     except Exception:
         logger.error("%s", traceback.format_exc())
+        raise SystemExit(1) from None
+    except KeyboardInterrupt as interrupt:
+        is_termination = isinstance(interrupt, Termination)
+        logger.error("%s", "terminated" if is_termination else "interrupted")
         raise SystemExit(1) from None
     finally:
         logger.removeHandler(handler)
