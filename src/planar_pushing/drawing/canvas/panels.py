@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from planar_pushing.drawing.canvas.axes import onto, schematic
@@ -30,6 +31,39 @@ EDGE, GAP, TITLE = 3.0, 14.0, 15.0
 ROOM = 45.0
 #: Rounds of settling labels and scaling, and steps to a scale.
 ROUNDS, STEPS = 2, 20
+
+
+class Texts:
+    """The boxes of texts about their positions in points, each measured once.
+
+    A box does not depend on the scale of a picture. It depends on the resolution, to which letters snap,
+    and on the style in which the first such text is measured.
+
+    Parameters
+    ----------
+    dpi : float
+        Dots per inch of the figure.
+    """
+
+    def __init__(self, dpi: float) -> None:
+        self._page = Figure(dpi=dpi)
+        FigureCanvasAgg(self._page)  # has one renderer, where a bare figure makes one for each text
+        self._boxes: dict[tuple[str, float, str], Array] = {}
+
+    def box(self, label: Label) -> Array:
+        """Lower left and upper right corner of a label in points from its position, shape (2, 2)."""
+        key = label.text, label.size, label.align
+        if key not in self._boxes:
+            self._boxes[key] = self._measure(*key)
+        return np.asarray(self._boxes[key] + label.offset)
+
+    def _measure(self, text: str, size: float, align: str) -> Array:
+        artist = self._page.text(
+            0.0, 0.0, text, fontsize=size, ha=align, va="center", linespacing=0.95
+        )
+        box = artist.get_window_extent().get_points() * 72 / self._page.dpi
+        artist.remove()
+        return np.asarray(box)
 
 
 class Cropped(NamedTuple):
@@ -60,14 +94,14 @@ class Cropped(NamedTuple):
 
 
 def crop(
-    figure: Figure, picture: Picture, wide: float = 0.0, scale: float | None = None
+    texts: Texts, picture: Picture, wide: float = 0.0, scale: float | None = None
 ) -> Cropped:
     """Crop a picture to its marks.
 
     Parameters
     ----------
-    figure : matplotlib.figure.Figure
-        The figure on which it will be drawn.
+    texts : Texts
+        Sizes of texts on the figure on which it will be drawn.
     picture : Picture
     wide : float, optional
         Width of the marks with their labels, in points; the default is for a known scale.
@@ -76,13 +110,13 @@ def crop(
     """
     marks: Sequence[Mark] = picture.marks
     bare = [mark for mark in marks if not isinstance(mark, Label)]
-    points = scale or _filling_scale(figure, bare, wide, 1.0)
+    points = scale or _filling_scale(texts, bare, wide, 1.0)
     for _ in range(ROUNDS):
-        box = _corners(figure, bare, points)
+        box = _corners(texts, bare, points)
         sheet = Sheet(box.mean(axis=0) / points, points, np.ptp(box, axis=0) + 2 * ROOM, 1.0)
         marks = _settle_labels(picture, sheet)
-        points = scale or _filling_scale(figure, marks, wide, points)
-    return Cropped(Picture(list(marks)), points, _corners(figure, marks, points))
+        points = scale or _filling_scale(texts, marks, wide, points)
+    return Cropped(Picture(list(marks)), points, _corners(texts, marks, points))
 
 
 def _settle_labels(picture: Picture, sheet: Sheet) -> list[Mark]:
@@ -94,24 +128,24 @@ def _settle_labels(picture: Picture, sheet: Sheet) -> list[Mark]:
     ]
 
 
-def _filling_scale(figure: Figure, marks: Sequence[Mark], wide: float, start: float) -> float:
+def _filling_scale(texts: Texts, marks: Sequence[Mark], wide: float, start: float) -> float:
     """Scale at which marks have a width in points, by steps from a positive scale."""
     scale = start
     for _ in range(STEPS):
-        scale *= wide / float(np.ptp(_corners(figure, marks, scale)[:, 0]))
+        scale *= wide / float(np.ptp(_corners(texts, marks, scale)[:, 0]))
     return scale
 
 
-def _corners(figure: Figure, marks: Sequence[Mark], scale: float) -> Array:
+def _corners(texts: Texts, marks: Sequence[Mark], scale: float) -> Array:
     """Lower left and upper right corner of marks, in points from the scene's origin."""
-    boxes = np.array([_box(figure, mark, scale) for mark in marks])
+    boxes = np.array([_box(texts, mark, scale) for mark in marks])
     return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
 
-def _box(figure: Figure, mark: Mark, scale: float) -> Array:
+def _box(texts: Texts, mark: Mark, scale: float) -> Array:
     """Corners of a mark in points from the scene's origin."""
     if isinstance(mark, Label):
-        return scale * mark.position + _text_box(figure, mark)
+        return scale * mark.position + texts.box(mark)
     if isinstance(mark, Area):
         points, rim = np.concatenate(mark.rings), 0.0
     elif isinstance(mark, Hatch):
@@ -123,16 +157,6 @@ def _box(figure: Figure, mark: Mark, scale: float) -> Array:
     else:
         points, rim = mark.points, mark.width / 2
     return np.array([scale * points.min(axis=0) - rim, scale * points.max(axis=0) + rim])
-
-
-def _text_box(figure: Figure, label: Label) -> Array:
-    """Corners of a label in points from its position in the scene."""
-    text = figure.text(
-        0.0, 0.0, label.text, fontsize=label.size, ha=label.align, va="center", linespacing=0.95
-    )
-    box = text.get_window_extent().get_points() * 72 / figure.dpi
-    text.remove()
-    return np.asarray(box + label.offset)
 
 
 class Panel(NamedTuple):
@@ -160,7 +184,7 @@ def panels(
         Points per unit of the scene; by default the panels fill the columns.
     """
     wide = (72 * figure.get_figwidth() - 2 * EDGE - (columns - 1) * GAP) / columns
-    pictures = _to_scale(figure, contents, wide, scale)
+    pictures = _to_scale(Texts(figure.dpi), contents, wide, scale)
     title = TITLE if any(panel.title for panel in contents) else 0.0
     rows = [range(i, min(i + columns, len(contents))) for i in range(0, len(contents), columns)]
     above = [max(pictures[i].box[1, 1] for i in row) for row in rows]
@@ -182,15 +206,15 @@ def panels(
 
 
 def _to_scale(
-    figure: Figure, contents: Sequence[Panel], wide: float, scale: float | None
+    texts: Texts, contents: Sequence[Panel], wide: float, scale: float | None
 ) -> list[Cropped]:
     """Pictures of the panels: as wide as allowed, and at one scale if they share its name."""
-    pictures = [crop(figure, panel.picture, wide, scale) for panel in contents]
+    pictures = [crop(texts, panel.picture, wide, scale) for panel in contents]
     for name in {panel.scale for panel in contents} - {""}:
         shared = [i for i, panel in enumerate(contents) if panel.scale == name]
         smallest = min(pictures[i].scale for i in shared)
         for i in shared:
-            pictures[i] = crop(figure, contents[i].picture, wide, smallest)
+            pictures[i] = crop(texts, contents[i].picture, wide, smallest)
     return pictures
 
 
