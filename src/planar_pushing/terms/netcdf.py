@@ -143,5 +143,6 @@ def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBU
 
 def group_names(path: PathLike, remedy: str = REBUILD) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
-    with _netcdf(path, remedy) as file:
-        return sorted(file.groups)
+    with reading(path, remedy), h5py.File(path, "r") as file:
+        dict(file.attrs)  # a damaged root is found here
+        return sorted(name for name in file if file.get(name, getclass=True) is h5py.Group)

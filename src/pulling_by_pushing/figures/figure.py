@@ -87,9 +87,13 @@ def module_names() -> dict[str, str]:
     """Module that contains each figure, by the name of the figure."""
     if DECLARED:
         return {name: module for name, (module, _) in DECLARED.items()}
-    single = {name.rpartition(".")[2]: name for name in modules() if name not in SEVERAL}
     several = {name: module for module in SEVERAL for name in _load(module).FIGURES}
-    return dict(sorted((single | several).items()))
+    return dict(sorted((_single_names() | several).items()))
+
+
+def _single_names() -> dict[str, str]:
+    """Modules with one figure each, by the name of the figure, without importing them."""
+    return {name.rpartition(".")[2]: name for name in modules() if name not in SEVERAL}
 
 
 def declarations() -> dict[str, tuple[str, dict[str, Any]]]:
@@ -114,8 +118,10 @@ def module_name(name: str) -> str:
     InvalidValue
         If there is no figure of this name.
     """
-    modules = module_names()
-    return modules[require_name("figure", name, modules, "name one of these figures")]
+    names = _single_names()
+    if name not in names:
+        names = module_names()
+    return names[require_name("figure", name, names, "name one of these figures")]
 
 
 def drawing(name: str) -> Drawing:

@@ -66,6 +66,54 @@ class Texts:
         return np.asarray(box)
 
 
+class Extents(NamedTuple):
+    """The boxes of marks at every scale: corners in the scene, and what pens and texts add to them.
+
+    Both have shape (mark, corner, xy), the second in points. The head of an arrow has a size in points
+    but a direction in the scene, so that the box of an arrow is formed anew at each scale.
+    """
+
+    scene: Array
+    paper: Array
+    arrows: tuple[Arrow, ...]
+
+    @classmethod
+    def of(cls, texts: Texts, marks: Sequence[Mark]) -> Extents:
+        """Extents of marks, with the sizes of their texts."""
+        arrows = tuple(mark for mark in marks if isinstance(mark, Arrow))
+        boxes = [_parts(texts, mark) for mark in marks if not isinstance(mark, Arrow)]
+        scene, paper = np.reshape(boxes, (-1, 2, 2, 2)).swapaxes(0, 1)
+        return cls(scene, paper, arrows)
+
+    def corners(self, scale: float) -> Array:
+        """Lower left and upper right corner of all marks, in points from the scene's origin."""
+        boxes = np.concatenate(
+            [scale * self.scene + self.paper, *(_arrow_box(arrow, scale) for arrow in self.arrows)]
+        )
+        return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+
+
+def _parts(texts: Texts, mark: Mark) -> Array:
+    """Corners of a mark in the scene, and what its pen or its text adds in points; shape (2, 2, 2)."""
+    if isinstance(mark, Label):
+        return np.array([[mark.position, mark.position], texts.box(mark)])
+    if isinstance(mark, Area):
+        points, rim = np.concatenate(mark.rings), 0.0
+    elif isinstance(mark, Hatch):
+        points, rim = mark.strokes.reshape(-1, 2), mark.width / 2
+    elif isinstance(mark, Dot):
+        points, rim = mark.position[None], (mark.size + mark.width) / 2
+    else:
+        points, rim = mark.points, mark.width / 2
+    return np.array([[points.min(axis=0), points.max(axis=0)], [(-rim, -rim), (rim, rim)]])
+
+
+def _arrow_box(arrow: Arrow, scale: float) -> Array:
+    """Corners of an arrow in points from the scene's origin, shape (1, 2, 2)."""
+    points, rim = np.concatenate(arrow.shape(1 / scale)), arrow.width / 2
+    return np.array([[scale * points.min(axis=0) - rim, scale * points.max(axis=0) + rim]])
+
+
 class Cropped(NamedTuple):
     """A picture with its labels in place, points per unit, and the corners of all marks.
 
@@ -109,14 +157,15 @@ def crop(
         Points per unit of the scene; by default the picture fills the width.
     """
     marks: Sequence[Mark] = picture.marks
-    bare = [mark for mark in marks if not isinstance(mark, Label)]
-    points = scale or _filling_scale(texts, bare, wide, 1.0)
+    bare = Extents.of(texts, [mark for mark in marks if not isinstance(mark, Label)])
+    full, points = bare, scale or _filling_scale(bare, wide, 1.0)
     for _ in range(ROUNDS):
-        box = _corners(texts, bare, points)
+        box = bare.corners(points)
         sheet = Sheet(box.mean(axis=0) / points, points, np.ptp(box, axis=0) + 2 * ROOM, 1.0)
         marks = _settle_labels(picture, sheet)
-        points = scale or _filling_scale(texts, marks, wide, points)
-    return Cropped(Picture(list(marks)), points, _corners(texts, marks, points))
+        full = Extents.of(texts, marks)
+        points = scale or _filling_scale(full, wide, points)
+    return Cropped(Picture(list(marks)), points, full.corners(points))
 
 
 def _settle_labels(picture: Picture, sheet: Sheet) -> list[Mark]:
@@ -128,35 +177,15 @@ def _settle_labels(picture: Picture, sheet: Sheet) -> list[Mark]:
     ]
 
 
-def _filling_scale(texts: Texts, marks: Sequence[Mark], wide: float, start: float) -> float:
+def _filling_scale(extents: Extents, wide: float, start: float) -> float:
     """Scale at which marks have a width in points, by steps from a positive scale."""
     scale = start
     for _ in range(STEPS):
-        scale *= wide / float(np.ptp(_corners(texts, marks, scale)[:, 0]))
+        factor = wide / float(np.ptp(extents.corners(scale)[:, 0]))
+        if factor == 1.0:
+            break
+        scale *= factor
     return scale
-
-
-def _corners(texts: Texts, marks: Sequence[Mark], scale: float) -> Array:
-    """Lower left and upper right corner of marks, in points from the scene's origin."""
-    boxes = np.array([_box(texts, mark, scale) for mark in marks])
-    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
-
-
-def _box(texts: Texts, mark: Mark, scale: float) -> Array:
-    """Corners of a mark in points from the scene's origin."""
-    if isinstance(mark, Label):
-        return scale * mark.position + texts.box(mark)
-    if isinstance(mark, Area):
-        points, rim = np.concatenate(mark.rings), 0.0
-    elif isinstance(mark, Hatch):
-        points, rim = mark.strokes.reshape(-1, 2), mark.width / 2
-    elif isinstance(mark, Arrow):
-        points, rim = np.concatenate(mark.shape(1 / scale)), mark.width / 2
-    elif isinstance(mark, Dot):
-        points, rim = mark.position[None], (mark.size + mark.width) / 2
-    else:
-        points, rim = mark.points, mark.width / 2
-    return np.array([scale * points.min(axis=0) - rim, scale * points.max(axis=0) + rim])
 
 
 class Panel(NamedTuple):
