@@ -141,9 +141,7 @@ class Cropped(NamedTuple):
         return ax
 
 
-def crop(
-    texts: Texts, picture: Picture, wide: float = 0.0, scale: float | None = None
-) -> Cropped:
+def crop(texts: Texts, picture: Picture, wide: float = 0.0, scale: float | None = None) -> Cropped:
     """Crop a picture to its marks.
 
     Parameters
