@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any, Literal
 
-import h5netcdf
 import h5py
 import numpy as np
 import xarray as xr
+from h5netcdf.attrs import Attributes
 
 from planar_pushing.terms.errors import InvalidFile, PlanarPushingError
 from planar_pushing.terms.replacing import PathLike, replacing
@@ -97,19 +97,17 @@ def reading(path: PathLike, remedy: str = REBUILD) -> Iterator[None]:
 
 
 @contextmanager
-def _netcdf(path: PathLike, remedy: str = REBUILD) -> Iterator[h5netcdf.File]:
-    """Open a file with a readable root; otherwise h5netcdf would report a second error on closing."""
-    with reading(path, remedy):
-        with h5py.File(path, "r") as file:
-            dict(file.attrs)
-        with h5netcdf.File(path, "r") as file:
-            yield file
+def _root(path: PathLike, remedy: str = REBUILD) -> Iterator[h5py.File]:
+    """Open a file of which only names and attributes of the root are read, not all of its variables."""
+    with reading(path, remedy), h5py.File(path, "r") as file:
+        dict(file.attrs)  # finds damage
+        yield file
 
 
 def read_attributes(path: PathLike) -> dict[str, object]:
     """Read only the root attributes of a file; errors as in `read_dataset`."""
-    with _netcdf(path) as file:
-        return dict(file.attrs)
+    with _root(path) as file:
+        return dict(Attributes(file.attrs, np.dtype, h5py))
 
 
 def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBUILD) -> xr.Dataset:
@@ -143,6 +141,5 @@ def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBU
 
 def group_names(path: PathLike, remedy: str = REBUILD) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
-    with reading(path, remedy), h5py.File(path, "r") as file:
-        dict(file.attrs)  # a damaged root is found here
+    with _root(path, remedy) as file:
         return sorted(name for name in file if file.get(name, getclass=True) is h5py.Group)
