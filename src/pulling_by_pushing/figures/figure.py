@@ -150,7 +150,9 @@ def files(name: str, results: PathLike) -> list[str]:
     )
 
 
-def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
+def view(
+    name: str, results: PathLike, cuts: Cuts | None = None, read: Callable[..., Any] | None = None
+) -> Any:
     """Datasets of a figure, cut at the values of the study; of a file of the project, its content.
 
     Parameters
@@ -161,6 +163,9 @@ def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
         Results folder of the study.
     cuts : mapping, optional
         Values that the study gives, from `studies.cuts`.
+    read : callable, optional
+        Function of the name of a dataset and the results folder that reads it; by default
+        `store.open_dataset`. A caller with several figures can read each dataset once.
 
     Returns
     -------
@@ -173,7 +178,8 @@ def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
     figure = entry(name)
     if any(map(_is_file, figure.reads)):
         return read_pushes(figure.reads[0])
-    return {source: select_values(open_dataset(source, results), cuts_of(figure, source, cuts or {}))
+    read = read or open_dataset
+    return {source: select_values(read(source, results), cuts_of(figure, source, cuts or {}))
             for source in figure.reads}  # fmt: skip
 
 
