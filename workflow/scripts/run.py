@@ -9,11 +9,12 @@ if os.environ.get("PLANAR_PUSHING_DASK") == "no":
 
 from pulling_by_pushing.study.running.jobs import job_log
 
-arguments = dict(snakemake.params.items())
-for name in ("code", "title", "promise"):  # for Snakemake and its report
-    arguments.pop(name, None)
-arguments |= arguments.pop("values", {})
+if __name__ == "__main__":  # processes that a job starts read this file again, without a job
+    arguments = dict(snakemake.params.items())
+    for name in ("code", "title", "promise"):  # for Snakemake and its report
+        arguments.pop(name, None)
+    arguments |= arguments.pop("values", {})
 
-with job_log(snakemake.log[0]):
-    function = resolve_name(f"pulling_by_pushing.{arguments.pop('call')}")
-    function(**dict(snakemake.input.items()), **dict(snakemake.output.items()), **arguments)
+    with job_log(snakemake.log[0]):
+        function = resolve_name(f"pulling_by_pushing.{arguments.pop('call')}")
+        function(**dict(snakemake.input.items()), **dict(snakemake.output.items()), **arguments)
