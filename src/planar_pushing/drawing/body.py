@@ -29,7 +29,6 @@ from planar_pushing.mechanics.outline.chains import sample_chain, split_chains
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Polygon, Ring
-from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.terms.caches import cache_results
 
 #: Keys of a scene file that do not concern a motion over time.
@@ -150,6 +149,8 @@ def scene_in(text: str) -> Scene:
     """Scene stored in an attribute of a dataset."""
     content = json.loads(text)
     entry = content.get("scene", content)
+    from planar_pushing.scenes.scene_model import SceneFile  # most pictures need no scene file
+
     return SceneFile.model_validate({name: entry[name] for name in SCENE_KEYS}).build()
 
 

@@ -87,9 +87,13 @@ def module_names() -> dict[str, str]:
     """Module that contains each figure, by the name of the figure."""
     if DECLARED:
         return {name: module for name, (module, _) in DECLARED.items()}
-    single = {name.rpartition(".")[2]: name for name in modules() if name not in SEVERAL}
     several = {name: module for module in SEVERAL for name in _load(module).FIGURES}
-    return dict(sorted((single | several).items()))
+    return dict(sorted((_single_names() | several).items()))
+
+
+def _single_names() -> dict[str, str]:
+    """Modules with one figure each, by the name of the figure, without importing them."""
+    return {name.rpartition(".")[2]: name for name in modules() if name not in SEVERAL}
 
 
 def declarations() -> dict[str, tuple[str, dict[str, Any]]]:
@@ -114,8 +118,10 @@ def module_name(name: str) -> str:
     InvalidValue
         If there is no figure of this name.
     """
-    modules = module_names()
-    return modules[require_name("figure", name, modules, "name one of these figures")]
+    names = _single_names()
+    if name not in names:
+        names = module_names()
+    return names[require_name("figure", name, names, "name one of these figures")]
 
 
 def drawing(name: str) -> Drawing:
@@ -144,7 +150,9 @@ def files(name: str, results: PathLike) -> list[str]:
     )
 
 
-def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
+def view(
+    name: str, results: PathLike, cuts: Cuts | None = None, read: Callable[..., Any] | None = None
+) -> Any:
     """Datasets of a figure, cut at the values of the study; of a file of the project, its content.
 
     Parameters
@@ -155,6 +163,9 @@ def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
         Results folder of the study.
     cuts : mapping, optional
         Values that the study gives, from `studies.cuts`.
+    read : callable, optional
+        Function of the name of a dataset and the results folder that reads it; by default
+        `store.open_dataset`. A caller with several figures can read each dataset once.
 
     Returns
     -------
@@ -167,7 +178,8 @@ def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
     figure = entry(name)
     if any(map(_is_file, figure.reads)):
         return read_pushes(figure.reads[0])
-    return {source: select_values(open_dataset(source, results), cuts_of(figure, source, cuts or {}))
+    read = read or open_dataset
+    return {source: select_values(read(source, results), cuts_of(figure, source, cuts or {}))
             for source in figure.reads}  # fmt: skip
 
 

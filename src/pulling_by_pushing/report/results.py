@@ -28,7 +28,8 @@ SLIDERS = "sliders"
 
 
 @cache
-def _open(name: str, folder: Path) -> xr.Dataset:
+def open_once(name: str, folder: Path) -> xr.Dataset:
+    """Dataset of a results folder, named as in `Results.dataset`; read once."""
     kind, _, part = name.partition("/")
     if kind == SLIDERS:
         return open_dataset(part, folder, study=SLIDERS)
@@ -62,7 +63,7 @@ class Results:
         Names are, for example, "accuracy/cone" for a group, and "sliders/supports" for a dataset of the
         study of sliders. Errors as in `open_dataset`.
         """
-        return _open(name, self.folder)
+        return open_once(name, self.folder)
 
     def golden_marks(self) -> list[dict[str, Any]]:
         """Attributes of every golden file: method, precision, versions and counts.

@@ -19,7 +19,7 @@ from pulling_by_pushing.report.costs.tables import COST_TABLES
 from pulling_by_pushing.report.derived import ROD_ANGLE
 from pulling_by_pushing.report.parts import costs, evidence, mechanics, pushes
 from pulling_by_pushing.report.quantities import Numbers, decimal_text
-from pulling_by_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
+from pulling_by_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results, open_once
 from pulling_by_pushing.report.verdict import failure_rows, verdict_rows
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from pulling_by_pushing.study.study_file import load_study
@@ -70,10 +70,10 @@ def figures_text(results: Results) -> str:
     for part, file in {"": PAPER_FILE, f"studies/{SLIDERS}/": SLIDERS_FILE}.items():
         study = load_study(file)
         for name in study.figures:
-            data = view(name, results.folder / part, cuts(study, name))
+            data = view(name, results.folder / part, cuts(study, name), open_once)
             entries[name] = _figure(name, data, f"{part}figures")
     for name in OURS:
-        data = results.pushes if name in PUSHES else view(name, results.folder)
+        data = results.pushes if name in PUSHES else view(name, results.folder, read=open_once)
         ours = _figure(name, data, "figures")
         entries[name] = ours | {"caption": f"{ours['caption']}{_machine(data)}"}
     order = [name for name in FIGURE_NUMBERS if name in entries]

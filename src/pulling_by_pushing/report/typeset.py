@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from importlib.metadata import distribution
 from pathlib import Path
@@ -28,9 +29,9 @@ def typeset_pdf(source: PathLike, root: PathLike, results: str = "results") -> b
     source : path
         The Typst file.
     root : path
-        The folder that contains all files that the source reads.
+        The folder that contains all files that the source reads, except the results.
     results : str
-        The folder of the results, relative to `root`.
+        The folder of the results, relative to `root`, or the path of a folder elsewhere.
 
     Raises
     ------
@@ -50,12 +51,13 @@ def _compile(
 ) -> bytes:
     if not Path(source).is_file():
         raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
+    top, place = _common_root(Path(root).resolve(), Path(root, results).resolve())
     compiler = typst.Compiler(
         input=str(source),
-        root=str(root),
+        root=str(top),
         ignore_system_fonts=True,
         font_paths=[FONTS],
-        sys_inputs={"results": f"/{results}"},
+        sys_inputs={"results": place},
     )
     try:
         content, warnings = compiler.compile_with_warnings(format=output, timestamp=0)
@@ -67,6 +69,12 @@ def _compile(
     if not isinstance(content, bytes):
         raise InvalidFile(f"{source}: was not typeset as one file; set its output to paged")
     return content
+
+
+def _common_root(root: Path, results: Path) -> tuple[Path, str]:
+    """Innermost folder with the sources and the results, and the path of the results from it."""
+    top = Path(os.path.commonpath([root, results]))
+    return top, f"/{results.relative_to(top).as_posix()}"
 
 
 def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> str:

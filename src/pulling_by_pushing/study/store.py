@@ -26,7 +26,6 @@ from pulling_by_pushing.study.catalog import (
     dataset_file,
     dataset_place,
 )
-from pulling_by_pushing.study.chunks import open_chunks
 from pulling_by_pushing.study.studies import PAPER, built_folder, built_studies, study_folder
 
 #: Attribute of an index: the maximum length of a chunk along each dimension that is split.
@@ -54,6 +53,8 @@ def index_of(dataset: xr.Dataset, steps: Mapping[str, int]) -> xr.Dataset:
 
 def _indexed_dataset(index: xr.Dataset, path: Path) -> xr.Dataset:
     """Dataset of the chunks that an index describes, with the attributes of the index."""
+    from pulling_by_pushing.study.chunks import open_chunks  # few datasets are in chunks
+
     steps = _steps(index, path)
     folder = path.parent.parent / "chunks" / path.stem
     lengths = {str(dim): length for dim, length in index.sizes.items()}

@@ -27,7 +27,7 @@ from planar_pushing.drawing.canvas.marks import (
     corners,
     unit,
 )
-from planar_pushing.drawing.canvas.panels import EDGE, GAP, TITLE, Panel, crop, panels
+from planar_pushing.drawing.canvas.panels import EDGE, GAP, TITLE, Panel, Texts, crop, panels
 from planar_pushing.drawing.canvas.svg import text, to_svg
 
 SIZE, BOX = (210.0, 150.0), np.array([(-2.0, -1.0), (3.0, 2.5)])
@@ -255,7 +255,7 @@ def test_a_crop_holds_marks_and_labels_and_no_more(offset):
     figure = Figure(figsize=(5.0, 4.0), dpi=100)
     scene = picture("area", SQUARE, color=RED)
     scene.label((2.0, 1.0), r"a long label, $\theta_p$", offset=offset, held=True)
-    cropped = crop(figure, scene, 200.0)
+    cropped = crop(Texts(figure.dpi), scene, 200.0)
     assert cropped.size[0] == pytest.approx(200.0)
     ax = cropped.draw(figure, 10.0, 20.0)
     low, high = ax.transData.transform(SQUARE[[0, 2]]) * 72 / figure.dpi

@@ -77,6 +77,14 @@ def test_a_failed_golden_check_is_on_the_first_page_and_has_a_table(setting, tex
     assert "motion_cones: left 3 of 4719 1.5e-09 5.0e-13" in said
 
 
+def test_results_can_be_in_a_folder_elsewhere(setting, text, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("elsewhere") / "results"
+    (setting.root / "results").rename(folder)
+    assert text_of(typeset_pdf(setting.source, setting.root, str(folder))) == text
+    with pytest.raises(InvalidFile, match="not found"):
+        typeset_pdf(setting.source, setting.root)
+
+
 def test_a_power_of_ten_is_set_as_one(setting):
     numbers = setting.numbers()
     numbers["trapezoid-error"]["text"] = "-7.3e-11"

@@ -54,6 +54,23 @@ def test_reading_gives_what_xarray_gives(path, group):
     assert list(found.data_vars) == list(DATASET.data_vars)
 
 
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"unlimited_dims": ["length"]},
+        {"encoding": {"angle": {"_FillValue": -1.0}}},
+        {"encoding": {"long": {"dtype": "int16", "scale_factor": 0.5, "_FillValue": -1}}},
+    ],
+)
+def test_files_of_other_programs_are_read_as_xarray_reads_them(path, options):
+    DATASET.to_netcdf(path, engine="h5netcdf", **options)
+    with xr.open_dataset(path, engine="h5netcdf") as opened:
+        expected = opened.load()
+    found = read_dataset(path)
+    xr.testing.assert_identical(found, expected)
+    assert [found[name].dtype for name in expected] == [expected[name].dtype for name in expected]
+
+
 @pytest.mark.parametrize("group", [None, "part"])
 def test_a_file_is_what_xarray_writes(path, tmp_path, group):
     other = tmp_path / "other.nc"

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from planar_pushing.drawing.canvas.axes import onto, schematic
@@ -30,6 +31,87 @@ EDGE, GAP, TITLE = 3.0, 14.0, 15.0
 ROOM = 45.0
 #: Rounds of settling labels and scaling, and steps to a scale.
 ROUNDS, STEPS = 2, 20
+
+
+class Texts:
+    """The boxes of texts about their positions in points, each measured once.
+
+    A box does not depend on the scale of a picture. It depends on the resolution, to which letters snap,
+    and on the style in which the first such text is measured.
+
+    Parameters
+    ----------
+    dpi : float
+        Dots per inch of the figure.
+    """
+
+    def __init__(self, dpi: float) -> None:
+        self._page = Figure(dpi=dpi)
+        FigureCanvasAgg(self._page)  # has one renderer, where a bare figure makes one for each text
+        self._boxes: dict[tuple[str, float, str], Array] = {}
+
+    def box(self, label: Label) -> Array:
+        """Lower left and upper right corner of a label in points from its position, shape (2, 2)."""
+        key = label.text, label.size, label.align
+        if key not in self._boxes:
+            self._boxes[key] = self._measure(*key)
+        return np.asarray(self._boxes[key] + label.offset)
+
+    def _measure(self, text: str, size: float, align: str) -> Array:
+        artist = self._page.text(
+            0.0, 0.0, text, fontsize=size, ha=align, va="center", linespacing=0.95
+        )
+        box = artist.get_window_extent().get_points() * 72 / self._page.dpi
+        artist.remove()
+        return np.asarray(box)
+
+
+class Extents(NamedTuple):
+    """The boxes of marks at every scale: corners in the scene, and what pens and texts add to them.
+
+    Both have shape (mark, corner, xy), the second in points. The head of an arrow has a size in points
+    but a direction in the scene, so that the box of an arrow is formed anew at each scale.
+    """
+
+    scene: Array
+    paper: Array
+    arrows: tuple[Arrow, ...]
+
+    @classmethod
+    def of(cls, texts: Texts, marks: Sequence[Mark]) -> Extents:
+        """Extents of marks, with the sizes of their texts."""
+        arrows = tuple(mark for mark in marks if isinstance(mark, Arrow))
+        boxes = [_parts(texts, mark) for mark in marks if not isinstance(mark, Arrow)]
+        scene, paper = np.reshape(boxes, (-1, 2, 2, 2)).swapaxes(0, 1)
+        return cls(scene, paper, arrows)
+
+    def corners(self, scale: float) -> Array:
+        """Lower left and upper right corner of all marks, in points from the scene's origin."""
+        boxes = np.concatenate(
+            [scale * self.scene + self.paper, *(_arrow_box(arrow, scale) for arrow in self.arrows)]
+        )
+        return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+
+
+def _parts(texts: Texts, mark: Mark) -> Array:
+    """Corners of a mark in the scene, and what its pen or its text adds in points; shape (2, 2, 2)."""
+    if isinstance(mark, Label):
+        return np.array([[mark.position, mark.position], texts.box(mark)])
+    if isinstance(mark, Area):
+        points, rim = np.concatenate(mark.rings), 0.0
+    elif isinstance(mark, Hatch):
+        points, rim = mark.strokes.reshape(-1, 2), mark.width / 2
+    elif isinstance(mark, Dot):
+        points, rim = mark.position[None], (mark.size + mark.width) / 2
+    else:
+        points, rim = mark.points, mark.width / 2
+    return np.array([[points.min(axis=0), points.max(axis=0)], [(-rim, -rim), (rim, rim)]])
+
+
+def _arrow_box(arrow: Arrow, scale: float) -> Array:
+    """Corners of an arrow in points from the scene's origin, shape (1, 2, 2)."""
+    points, rim = np.concatenate(arrow.shape(1 / scale)), arrow.width / 2
+    return np.array([[scale * points.min(axis=0) - rim, scale * points.max(axis=0) + rim]])
 
 
 class Cropped(NamedTuple):
@@ -59,15 +141,13 @@ class Cropped(NamedTuple):
         return ax
 
 
-def crop(
-    figure: Figure, picture: Picture, wide: float = 0.0, scale: float | None = None
-) -> Cropped:
+def crop(texts: Texts, picture: Picture, wide: float = 0.0, scale: float | None = None) -> Cropped:
     """Crop a picture to its marks.
 
     Parameters
     ----------
-    figure : matplotlib.figure.Figure
-        The figure on which it will be drawn.
+    texts : Texts
+        Sizes of texts on the figure on which it will be drawn.
     picture : Picture
     wide : float, optional
         Width of the marks with their labels, in points; the default is for a known scale.
@@ -75,14 +155,15 @@ def crop(
         Points per unit of the scene; by default the picture fills the width.
     """
     marks: Sequence[Mark] = picture.marks
-    bare = [mark for mark in marks if not isinstance(mark, Label)]
-    points = scale or _filling_scale(figure, bare, wide, 1.0)
+    bare = Extents.of(texts, [mark for mark in marks if not isinstance(mark, Label)])
+    full, points = bare, scale or _filling_scale(bare, wide, 1.0)
     for _ in range(ROUNDS):
-        box = _corners(figure, bare, points)
+        box = bare.corners(points)
         sheet = Sheet(box.mean(axis=0) / points, points, np.ptp(box, axis=0) + 2 * ROOM, 1.0)
         marks = _settle_labels(picture, sheet)
-        points = scale or _filling_scale(figure, marks, wide, points)
-    return Cropped(Picture(list(marks)), points, _corners(figure, marks, points))
+        full = Extents.of(texts, marks)
+        points = scale or _filling_scale(full, wide, points)
+    return Cropped(Picture(list(marks)), points, full.corners(points))
 
 
 def _settle_labels(picture: Picture, sheet: Sheet) -> list[Mark]:
@@ -94,45 +175,15 @@ def _settle_labels(picture: Picture, sheet: Sheet) -> list[Mark]:
     ]
 
 
-def _filling_scale(figure: Figure, marks: Sequence[Mark], wide: float, start: float) -> float:
+def _filling_scale(extents: Extents, wide: float, start: float) -> float:
     """Scale at which marks have a width in points, by steps from a positive scale."""
     scale = start
     for _ in range(STEPS):
-        scale *= wide / float(np.ptp(_corners(figure, marks, scale)[:, 0]))
+        factor = wide / float(np.ptp(extents.corners(scale)[:, 0]))
+        if factor == 1.0:
+            break
+        scale *= factor
     return scale
-
-
-def _corners(figure: Figure, marks: Sequence[Mark], scale: float) -> Array:
-    """Lower left and upper right corner of marks, in points from the scene's origin."""
-    boxes = np.array([_box(figure, mark, scale) for mark in marks])
-    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
-
-
-def _box(figure: Figure, mark: Mark, scale: float) -> Array:
-    """Corners of a mark in points from the scene's origin."""
-    if isinstance(mark, Label):
-        return scale * mark.position + _text_box(figure, mark)
-    if isinstance(mark, Area):
-        points, rim = np.concatenate(mark.rings), 0.0
-    elif isinstance(mark, Hatch):
-        points, rim = mark.strokes.reshape(-1, 2), mark.width / 2
-    elif isinstance(mark, Arrow):
-        points, rim = np.concatenate(mark.shape(1 / scale)), mark.width / 2
-    elif isinstance(mark, Dot):
-        points, rim = mark.position[None], (mark.size + mark.width) / 2
-    else:
-        points, rim = mark.points, mark.width / 2
-    return np.array([scale * points.min(axis=0) - rim, scale * points.max(axis=0) + rim])
-
-
-def _text_box(figure: Figure, label: Label) -> Array:
-    """Corners of a label in points from its position in the scene."""
-    text = figure.text(
-        0.0, 0.0, label.text, fontsize=label.size, ha=label.align, va="center", linespacing=0.95
-    )
-    box = text.get_window_extent().get_points() * 72 / figure.dpi
-    text.remove()
-    return np.asarray(box + label.offset)
 
 
 class Panel(NamedTuple):
@@ -160,7 +211,7 @@ def panels(
         Points per unit of the scene; by default the panels fill the columns.
     """
     wide = (72 * figure.get_figwidth() - 2 * EDGE - (columns - 1) * GAP) / columns
-    pictures = _to_scale(figure, contents, wide, scale)
+    pictures = _to_scale(Texts(figure.dpi), contents, wide, scale)
     title = TITLE if any(panel.title for panel in contents) else 0.0
     rows = [range(i, min(i + columns, len(contents))) for i in range(0, len(contents), columns)]
     above = [max(pictures[i].box[1, 1] for i in row) for row in rows]
@@ -182,15 +233,15 @@ def panels(
 
 
 def _to_scale(
-    figure: Figure, contents: Sequence[Panel], wide: float, scale: float | None
+    texts: Texts, contents: Sequence[Panel], wide: float, scale: float | None
 ) -> list[Cropped]:
     """Pictures of the panels: as wide as allowed, and at one scale if they share its name."""
-    pictures = [crop(figure, panel.picture, wide, scale) for panel in contents]
+    pictures = [crop(texts, panel.picture, wide, scale) for panel in contents]
     for name in {panel.scale for panel in contents} - {""}:
         shared = [i for i, panel in enumerate(contents) if panel.scale == name]
         smallest = min(pictures[i].scale for i in shared)
         for i in shared:
-            pictures[i] = crop(figure, contents[i].picture, wide, smallest)
+            pictures[i] = crop(texts, contents[i].picture, wide, smallest)
     return pictures
 
 

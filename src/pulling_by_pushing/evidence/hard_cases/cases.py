@@ -20,10 +20,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 
 import numpy as np
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from planar_pushing.mechanics.contact import (
     ContactLaw,
@@ -248,7 +248,15 @@ def _slipping(branch: int, mu: float, length: float, psi: float, push: float, si
 
 
 def _exact_slip(branch: int, mu: fmpq, length: fmpq, psi: fmpq, push: fmpq, size: fmpq) -> Number:
-    return references.slipping_spin(branch, slider(length, psi, None), mu, direction(push), size)
+    return _exact_slips(mu, length, psi, push, size, precision=ctx.prec)[branch]
+
+
+@lru_cache(maxsize=32)
+def _exact_slips(
+    mu: fmpq, length: fmpq, psi: fmpq, push: fmpq, size: fmpq, *, precision: int
+) -> list[Number]:
+    """Both slips, found once for the cases of both, at the precision of the context in bits."""
+    return references.slipping_spins(slider(length, psi, None), mu, direction(push), size)
 
 
 def _painleve() -> Iterator[Case]:

@@ -120,13 +120,11 @@ def sticking(measure: Measure, rod: Slider, pusher: Direction, size: fmpq = ONE)
     return _of(measure, rod, pusher, stick(rod, pusher, size)[0])
 
 
-def slipping_spin(branch: int, rod: Slider, mu: fmpq, pusher: Direction, size: fmpq) -> Number:
-    """Spin ratio of one of the slips to the left."""
+def slipping_spins(rod: Slider, mu: fmpq, pusher: Direction, size: fmpq) -> list[Number]:
+    """Spin ratios of the slips to the left, in ascending order."""
     modes = contact_modes(rod, Law(float(mu)), pusher, size)
     slips = [mode.motion for mode in modes if mode.mode is Mode.SLIP_LEFT and mode.motion]
-    return sorted((_of(spin, rod, pusher, slip) for slip in slips), key=lambda k: float(k.ball))[
-        branch
-    ]
+    return sorted((_of(spin, rod, pusher, slip) for slip in slips), key=lambda k: float(k.ball))
 
 
 def _of(measure: Measure, rod: Slider, angle: Direction, motion: Proved) -> Number:

@@ -30,7 +30,7 @@ from planar_pushing.drawing.canvas.marks import (
     corners,
     unit,
 )
-from planar_pushing.drawing.canvas.panels import EDGE, TITLE, crop
+from planar_pushing.drawing.canvas.panels import EDGE, TITLE, Texts, crop
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.drawing.scene import add_slip
 from planar_pushing.drawing.supports import Ink, Pose, add_support
@@ -174,7 +174,8 @@ def _lay_out(figure: Any, left: Picture, right: Picture, frame: Array) -> None:
     from matplotlib.patches import ConnectionPatch
 
     wide = 72 * figure.get_figwidth()
-    scene, detail = crop(figure, left, SHARE * wide), crop(figure, right, ENLARGED)
+    texts = Texts(figure.dpi)
+    scene, detail = crop(texts, left, SHARE * wide), crop(texts, right, ENLARGED)
     high = float(scene.size[1]) + 2 * EDGE
     figure.set_figheight(high / 72)
     middle = (scene.size[0] + wide) / 2
