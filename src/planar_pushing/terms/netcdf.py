@@ -6,7 +6,6 @@ import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any, Literal
 
 import h5py
@@ -24,8 +23,6 @@ SMALL = 4096
 STORED, LEVEL = 2**15, 1
 #: Size in bytes above which a dataset is read on demand.
 LARGE = 2**23
-#: Beginning of the name that netCDF4 gives to a dimension without a variable.
-BARE = b"This is a netCDF dimension but not a netCDF variable"
 #: Remedy for a file that is not netCDF4, for readers who expect a dataset.
 REBUILD = "give a dataset, or rebuild a damaged one"
 
@@ -132,8 +129,6 @@ def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBU
     if group not in (None, *group_names(path, remedy)):
         raise InvalidFile(f"{path}: has no group {group!r}; delete it and build it again")
     with reading(path, remedy):
-        if (simple := _read_simple(path, group)) is not None:
-            return simple
         # An HDF5 file that is not netCDF4 has no named dimensions. No dataset holds dates.
         opened = xr.open_dataset(
             path, engine=ENGINE, group=group, phony_dims="access", decode_times=False
@@ -142,56 +137,6 @@ def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBU
             return opened
         with opened:
             return opened.load()
-
-
-def _read_simple(path: PathLike, group: str | None) -> xr.Dataset | None:
-    """Dataset of fixed shapes, numbers and texts, such as this module writes; None for any other.
-
-    xarray asks for each property of a variable, also those of its storage, and h5netcdf looks the variable
-    up again for each, which takes several times as long as reading a small dataset.
-    """
-    with h5py.File(path, "r") as file:
-        node = file[group or "/"]
-        items = [item for item in node.values() if not isinstance(item, h5py.Group)]
-        if not all(map(_is_simple, items)) or sum(item.nbytes for item in items) > LARGE:
-            return None
-        names = [item for item in items if not _is_bare_dimension(item)]
-        variables = {_stem(item.name): _variable(item) for item in names}
-        raw = xr.Dataset(variables, attrs=dict(Attributes(node.attrs, np.dtype, h5py)))
-    dataset = xr.decode_cf(raw, decode_times=False).load()
-    dataset.encoding["source"] = str(Path(path).absolute())
-    return dataset
-
-
-def _is_simple(item: Any) -> bool:
-    """Whether a variable has a fixed shape, named dimensions, and numbers or texts without fill values."""
-    if not isinstance(item, h5py.Dataset) or item.shape is None or item.maxshape != item.shape:
-        return False
-    kind = h5py.check_string_dtype(item.dtype)
-    known = item.dtype.kind in "iuf" if kind is None else kind.length is None
-    named = item.ndim == 0 or "DIMENSION_LIST" in item.attrs or (item.is_scale and item.ndim == 1)
-    return known and named and not {"_FillValue", "missing_value"} & set(item.attrs)
-
-
-def _is_bare_dimension(item: h5py.Dataset) -> bool:
-    """Whether netCDF4 holds only the length of a dimension here, and no values."""
-    return bool(item.is_scale) and bytes(item.attrs.get("NAME", b"")).startswith(BARE)
-
-
-def _variable(item: h5py.Dataset) -> xr.Variable:
-    """Variable with its dimensions, values and attributes, not decoded."""
-    if item.is_scale and item.ndim == 1:
-        dims = [_stem(item.name)]
-    else:
-        lists = item.attrs["DIMENSION_LIST"] if item.ndim else ()
-        dims = [_stem(h5py.h5r.get_name(first[0], item.id).decode()) for first in lists]
-    values = item[()] if item.dtype.kind != "O" else np.asarray(item.asstr()[()]).astype(str)
-    return xr.Variable(dims, values, dict(Attributes(item.attrs, np.dtype, h5py)))
-
-
-def _stem(name: str) -> str:
-    """Name of a variable or a dimension without its groups."""
-    return name.rpartition("/")[2]
 
 
 def group_names(path: PathLike, remedy: str = REBUILD) -> list[str]:
