@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import xarray as xr
 from matplotlib.axes import Axes
 
 from planar_pushing.drawing.canvas.colors import FORCE, GRAY, MOTION
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.mechanics.plane import Array
+from pulling_by_pushing.figures.captions import number
 from pulling_by_pushing.figures.figure import Data, Figure
 
 FIGURE = Figure(
@@ -31,7 +33,10 @@ GROUPS = (
     "rims",
     "segments",
     "thin\nshapes",
+    "motion",
 )
+#: Line of the motions over time.
+MOTIONS = 13
 #: Smaller errors, zero included, are drawn at this value.
 FLOOR = 0.01
 #: Gap between two groups, in cases.
@@ -47,6 +52,7 @@ def caption(data: Data) -> str:
     """Caption of the figure."""
     errors = data["hard_cases"]
     cases, ill = errors.sizes["case"], int((errors.ill_conditioned > 0).sum())
+    worst = errors.isel(case=int(np.argmax(errors.condition.values)))
     return (
         f"Errors of the {cases} hard cases in units in the last place (ulp), ordered within each "
         "group from best to worst condition: rings first, then other supports. A stroke is the "
@@ -54,8 +60,28 @@ def caption(data: Data) -> str:
         f"Diamonds are the {ill} ill-conditioned "
         "cases, in which rounding the inputs costs six digits or more; an algorithm can still have "
         "a small error because the references are computed from the rounded inputs. Thin "
-        "shapes are computed as differences, which costs more digits than their condition does."
+        "shapes are computed as differences, which costs more digits than their condition does. "
+        f"To read: the highest stroke ({worst.case.item()}) says that rounding the inputs can change the "
+        "result by that many ulp, and the marker below it that the library is off by "
+        f"{number(float(worst.error_ulp), 2)} ulp."
+        f"{_remark(errors)}"
     )
+
+
+def _remark(errors: xr.Dataset) -> str:
+    """Remark on the motions over time, if there are any."""
+    motions = errors.isel(case=np.flatnonzero(errors.line.values == MOTIONS))
+    if not motions.sizes["case"]:
+        return ""
+    return (
+        " Motions are integrated to a relative tolerance, above rounding; "
+        f"{_digits(motions)} digits of their references are known."
+    )
+
+
+def _digits(motions: xr.Dataset) -> str:
+    least, most = (int(f(motions.reference_digits.values)) for f in (np.min, np.max))
+    return f"{least} to {most}"
 
 
 def draw(figure: Any, data: Data) -> None:
