@@ -8,6 +8,7 @@ events are roots of Eqs. (2)-(7). Nothing is validated: two step sizes tell how 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 from flint import acb, arb, ctx
@@ -268,7 +269,7 @@ class Motion:
             changed = [i for i, m in enumerate(margins) if (m > 0) != (phase.signs[i] > 0)]
             if changed:
                 ends = [
-                    (find_root(lambda a, i=i: self.margins(a, phase.mode)[i], angle, after), i)
+                    (find_root(partial(self._margin, phase.mode, i), angle, after), i)
                     for i in changed
                 ]
                 return min(ends, key=lambda end: float(abs(end[0] - start)))
@@ -278,6 +279,9 @@ class Motion:
             if (spin > 0) != (later > 0) or passed > 2 * time:
                 return after, None
             angle, passed = after, passed + STRIDE / abs(spin)
+
+    def _margin(self, mode: str, event: int, angle: arb) -> arb:
+        return self.margins(angle, mode)[event]
 
     def angle_after(self, phase: Phase, start: arb, end: arb, time: arb) -> arb:
         """Rod angle after a time in a phase, by Newton's method."""
