@@ -58,12 +58,10 @@ def caption(data: Data) -> str:
         "group from best to worst condition: rings first, then other supports. A stroke is the "
         "condition number: rounding of the inputs causes an error of its order; shaded: up to four ulp. "
         f"Diamonds are the {ill} ill-conditioned "
-        "cases, in which rounding the inputs costs six digits or more; an algorithm can still have "
-        "a small error because the references are computed from the rounded inputs. Thin "
-        "shapes are computed as differences, which costs more digits than their condition does. "
-        f"To read: the highest stroke ({worst.case.item()}) says that rounding the inputs can change the "
-        "result by that many ulp, and the marker below it that the library is off by "
-        f"{number(float(worst.error_ulp), 2)} ulp."
+        "cases, in which rounding the inputs costs six digits or more; references are of the rounded "
+        "inputs. Thin shapes are computed as differences, which costs digits. "
+        f"To read: the highest stroke ({worst.case.item()}) says that rounding can change the result by that "
+        f"many ulp, the marker below it that the library is off by {number(float(worst.error_ulp), 2)} ulp."
         f"{_remark(errors)}"
     )
 
@@ -74,7 +72,7 @@ def _remark(errors: xr.Dataset) -> str:
     if not motions.sizes["case"]:
         return ""
     return (
-        " Motions are integrated to a relative tolerance, above rounding; "
+        " Motions have a relative tolerance, above rounding; "
         f"{_digits(motions)} digits of their references are known."
     )
 
