@@ -60,8 +60,8 @@ def caption(data: Data) -> str:
         f"Diamonds are the {ill} ill-conditioned "
         "cases, in which rounding the inputs costs six digits or more; references are of the rounded "
         "inputs. Thin shapes are computed as differences, which costs digits. "
-        f"To read: the highest stroke ({worst.case.item()}) says that rounding can change the result by that "
-        f"many ulp, the marker below it that the library is off by {number(float(worst.error_ulp), 2)} ulp."
+        f"To read: the highest stroke ({worst.case.item()}) says that rounding can change the result by "
+        f"that many ulp, the marker below it that the library is off by {number(float(worst.error_ulp), 2)} ulp."
         f"{_remark(errors)}"
     )
 
