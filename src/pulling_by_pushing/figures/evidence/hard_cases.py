@@ -58,10 +58,10 @@ def caption(data: Data) -> str:
         "group from best to worst condition: rings first, then other supports. A stroke is the "
         "condition number: rounding of the inputs causes an error of its order; shaded: up to four ulp. "
         f"Diamonds are the {ill} ill-conditioned "
-        "cases, in which rounding the inputs costs six digits or more; references are of the rounded "
-        "inputs. Thin shapes are computed as differences, which costs digits. "
+        "cases, in which rounding the inputs costs six digits or more. "
         f"To read: the highest stroke ({worst.case.item()}) says that rounding can change the result by "
-        f"that many ulp, the marker below it that the library is off by {number(float(worst.error_ulp), 2)} ulp."
+        "that many ulp; the marker below says that the library is off by "
+        f"{number(float(worst.error_ulp), 2)} ulp."
         f"{_remark(errors)}"
     )
 
