@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 
 from planar_pushing.drawing.canvas.colors import FORCE, GRAY, MOTION
@@ -35,8 +34,6 @@ GROUPS = (
     "thin\nshapes",
     "motion",
 )
-#: Line of the motions over time.
-MOTIONS = 13
 #: Smaller errors, zero included, are drawn at this value.
 FLOOR = 0.01
 #: Gap between two groups, in cases.
@@ -60,26 +57,9 @@ def caption(data: Data) -> str:
         f"Diamonds are the {ill} ill-conditioned "
         "cases, in which rounding the inputs costs six digits or more. "
         f"To read: the highest stroke ({worst.case.item()}) says that rounding can change the result by "
-        "that many ulp; the marker below says that the library is off by "
+        "that many ulp; the marker below is the error, "
         f"{number(float(worst.error_ulp), 2)} ulp."
-        f"{_remark(errors)}"
     )
-
-
-def _remark(errors: xr.Dataset) -> str:
-    """Remark on the motions over time, if there are any."""
-    motions = errors.isel(case=np.flatnonzero(errors.line.values == MOTIONS))
-    if not motions.sizes["case"]:
-        return ""
-    return (
-        " Motions have a relative tolerance, above rounding; "
-        f"{_digits(motions)} digits of their references are known."
-    )
-
-
-def _digits(motions: xr.Dataset) -> str:
-    least, most = (int(f(motions.reference_digits.values)) for f in (np.min, np.max))
-    return f"{least} to {most}"
 
 
 def draw(figure: Any, data: Data) -> None:
