@@ -253,7 +253,7 @@ EVIDENCE = {
     "accuracy": "errors and evaluations of every method, a group for each quantity",
     "accuracy_time": "times of every method on one machine, a group for each quantity",
     "effects": "evaluations of each effect, by the listed effects",
-    "hard_cases": "double-precision results for numerically hard cases, against 40-digit references",
+    "hard_cases": "double-precision results for numerically hard cases and motions, against references",
 }
 #: Those that are compared with golden data, and those that depend on the machine: times.
 COUNTS, TIMES = ("hard_cases", "accuracy", "effects"), ("accuracy_time",)

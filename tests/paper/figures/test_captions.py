@@ -152,7 +152,7 @@ def test_pushes_of_the_model_errors_are_counted_and_the_first_is_named(plotted):
 
 def test_the_hard_cases_are_counted(plotted):
     every, caption = plotted["hard_cases"]["hard_cases"], drawing("hard_cases").caption
-    for cases, count, ill in ((every, 13, 1), (every.isel(case=slice(5)), 5, 0)):
+    for cases, count, ill in ((every, 14, 1), (every.isel(case=slice(5)), 5, 0)):
         said = caption({"hard_cases": cases})
         assert f"the {count} hard cases" in said
         assert f"the {ill} ill-conditioned" in said

@@ -65,19 +65,20 @@ def effects() -> xr.Dataset:
 
 
 def hard_cases() -> xr.Dataset:
-    """One case for each place, and one more at the seventh place that is ill-conditioned."""
+    """One case for each place, one more at the seventh place that is ill-conditioned, and a motion."""
     columns = {
-        "line": np.array([1, 2, 3, 4, 5, 6, 7, 7, 8, 9, 10, 11, 12], np.int8),
-        "error_ulp": [0.5, 1.5, 3.0, 2.5, 0.0, 3.5, 9.0, 4e7, 1.0, 2.0, 0.5, 0.0, 6e5],
-        "condition": [1.0, 2.0, 1.0, 4.0, 1.0, 1.5, 17.0, 3e8, 1.0, 1.0, 2.0, 1.0, 1.0],
-        "error_bound": [1e-16, 2e-16, 1e-16, 4e-16, 1e-16, 2e-16, 2e-15, 6.7e-8, *[1e-16] * 5],
-        "ill_conditioned": np.array([0] * 7 + [1] + [0] * 5, np.int8),
+        "line": np.array([1, 2, 3, 4, 5, 6, 7, 7, 8, 9, 10, 11, 12, 13], np.int8),
+        "error_ulp": [0.5, 1.5, 3.0, 2.5, 0.0, 3.5, 9.0, 4e7, 1.0, 2.0, 0.5, 0.0, 6e5, 700.0],
+        "condition": [1.0, 2.0, 1.0, 4.0, 1.0, 1.5, 17.0, 3e8, 1.0, 1.0, 2.0, 1.0, 1.0, 5.0],
+        "error_bound": [1e-16, 2e-16, 1e-16, 4e-16, 1e-16, 2e-16, 2e-15, 6.7e-8, *[1e-16] * 6],
+        "ill_conditioned": np.array([0] * 7 + [1] + [0] * 6, np.int8),
+        "reference_digits": np.array([40] * 13 + [12], np.int8),
     }
-    names = [f"case at phi = {i}" for i in range(13)]
+    names = [f"case at phi = {i}" for i in range(13)] + ["time, slip that dies"]
     return xr.Dataset(
         {name: ("case", column) for name, column in columns.items()},
         coords={"case": names},
-        attrs={"parameters": json.dumps({"ill_conditioned_from": 1e6})},
+        attrs={"parameters": json.dumps({"ill_conditioned_from": 1e6, "rtol": 1e-12})},
     )
 
 

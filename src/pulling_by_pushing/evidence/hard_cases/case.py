@@ -15,6 +15,7 @@ from pulling_by_pushing.oracle.balls import Number
 #: The quantities that a case can compute, with their units.
 QUANTITIES = {
     "force": "1", "torque": "1", "spin_ratio": "1", "motion_angle": "radian", "mean_distance": "1",
+    "rod_angle": "degree", "position": "1", "time": "1",
 }  # fmt: skip
 
 

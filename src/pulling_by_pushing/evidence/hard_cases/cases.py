@@ -14,6 +14,8 @@ Each case belongs to a line of the list of hard inputs:
 10. a center on the rim of a disc, an annulus or a ring that lies off the slider's center;
 11. a center on a segment or at its end, and pushes across and along it;
 12. a very thin plate and a very thin annulus.
+
+Line 13, motions over time, is in `motions`.
 """
 
 from __future__ import annotations

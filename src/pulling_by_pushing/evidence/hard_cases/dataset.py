@@ -1,4 +1,7 @@
-"""The dataset of hard cases: each result in doubles compared with a reference of 40 digits."""
+"""The dataset of hard cases: each result in doubles compared with its reference.
+
+References have 40 digits, but for motions over time: those on which two runs of their route agree.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +17,7 @@ from flint import arb, ctx, fmpq
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.hard_cases.case import QUANTITIES, Case
 from pulling_by_pushing.evidence.hard_cases.cases import cases
+from pulling_by_pushing.evidence.hard_cases.motions import LINE, ORACLE, RTOL, Outcome, outcomes
 from pulling_by_pushing.oracle.balls import Number, Undecided, rational
 from pulling_by_pushing.study.describe import describe
 from pulling_by_pushing.study.running.build import Attributes, write_built
@@ -36,7 +40,10 @@ class Measure:
     Attributes
     ----------
     reference : str
-        40 digits.
+        40 digits, or those of a motion.
+    reference_digits : int
+    reference_route : str
+        How it was computed.
     reference_high, reference_low : float
         The reference as the sum of two doubles.
     result : float
@@ -48,6 +55,8 @@ class Measure:
     """
 
     reference: str
+    reference_digits: int
+    reference_route: str
     reference_high: float
     reference_low: float
     result: float
@@ -84,8 +93,23 @@ def measure(case: Case) -> Measure:
         error_ulp = float(abs(value - result).mid() / arb(float(np.spacing(abs(high)))))
         text = value.mid().str(REFERENCE_DIGITS, radius=False)
     return Measure(
-        reference=text, reference_high=high, reference_low=low,
+        reference=text, reference_digits=REFERENCE_DIGITS, reference_route=ORACLE,
+        reference_high=high, reference_low=low,
         result=result, error_ulp=error_ulp, condition=condition,
+    )  # fmt: skip
+
+
+def measure_motion(outcome: Outcome) -> Measure:
+    """Compare the result of a motion over time with its stored reference."""
+    _, _, result, (text, digits, route, condition) = outcome
+    with ctx.workprec(FIRST_PRECISION):
+        value = arb(text).mid()
+        high = float(value)
+        low, error = float(value - high), float(abs(value - result))
+    return Measure(
+        reference=text, reference_digits=digits, reference_route=route,
+        reference_high=high, reference_low=low, result=result,
+        error_ulp=error / float(np.spacing(abs(high))), condition=condition,
     )  # fmt: skip
 
 
@@ -128,32 +152,39 @@ def _condition(function: Callable[..., Number], inputs: list[float | fmpq], valu
 
 
 def build() -> xr.Dataset:
-    """Measure every case.
+    """Measure every case, and compare the motions over time.
 
     Returns
     -------
     xarray.Dataset
         Over `case`: the reference, the result, its error and the condition number.
     """
-    table = cases()
-    measures = list(map(measure, table))
+    table, motions = cases(), list(outcomes())
+    measures = [*map(measure, table), *map(measure_motion, motions)]
+    lines = [case.line for case in table] + [LINE] * len(motions)
+    quantities = [case.function.quantity for case in table] + [each.quantity for each in motions]
     columns = {
-        "line": np.array([case.line for case in table], np.int8),
-        "quantity": [case.function.quantity for case in table],
-        "quantity_unit": [QUANTITIES[case.function.quantity] for case in table],
+        "line": np.array(lines, np.int8),
+        "quantity": quantities,
+        "quantity_unit": [QUANTITIES[quantity] for quantity in quantities],
         **{field.name: [getattr(m, field.name) for m in measures] for field in fields(Measure)},
+        "reference_digits": np.array([m.reference_digits for m in measures], np.int8),
         "error_bound": [m.rounding_bound for m in measures],
         "ill_conditioned": np.array([m.ill_conditioned for m in measures]),
     }
     dataset = xr.Dataset(
         {name: ("case", column) for name, column in columns.items()},
-        coords={"case": [case.label for case in table]},
+        coords={"case": [case.label for case in (*table, *motions)]},
     )
     return describe(
         dataset,
-        title="Hard cases: results in doubles against references of 40 digits",
+        title="Hard cases: results in doubles against references",
         source="Eqs. (2)-(12)",
-        parameters={"precision_bits": FIRST_PRECISION, "ill_conditioned_from": ILL_CONDITIONED},
+        parameters={
+            "precision_bits": FIRST_PRECISION,
+            "ill_conditioned_from": ILL_CONDITIONED,
+            "rtol": RTOL,
+        },
     )
 
 

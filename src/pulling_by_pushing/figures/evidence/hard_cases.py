@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from planar_pushing.drawing.canvas.colors import FORCE, GRAY, MOTION
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.mechanics.plane import Array
+from pulling_by_pushing.figures.captions import number
 from pulling_by_pushing.figures.figure import Data, Figure
 
 FIGURE = Figure(
@@ -31,6 +32,7 @@ GROUPS = (
     "rims",
     "segments",
     "thin\nshapes",
+    "motion",
 )
 #: Smaller errors, zero included, are drawn at this value.
 FLOOR = 0.01
@@ -47,14 +49,16 @@ def caption(data: Data) -> str:
     """Caption of the figure."""
     errors = data["hard_cases"]
     cases, ill = errors.sizes["case"], int((errors.ill_conditioned > 0).sum())
+    worst = errors.isel(case=int(np.argmax(errors.condition.values)))
     return (
         f"Errors of the {cases} hard cases in units in the last place (ulp), ordered within each "
         "group from best to worst condition: rings first, then other supports. A stroke is the "
         "condition number: rounding of the inputs causes an error of its order; shaded: up to four ulp. "
         f"Diamonds are the {ill} ill-conditioned "
-        "cases, in which rounding the inputs costs six digits or more; an algorithm can still have "
-        "a small error because the references are computed from the rounded inputs. Thin "
-        "shapes are computed as differences, which costs more digits than their condition does."
+        "cases, in which rounding the inputs costs six digits or more. "
+        f"To read: the highest stroke ({worst.case.item()}) says that rounding can change the result by "
+        "that many ulp; the marker below is the error, "
+        f"{number(float(worst.error_ulp), 2)} ulp."
     )
 
 

@@ -104,7 +104,7 @@ def caption(data: Data) -> str:
         "direction of f turns from right to left. The line of force passes the ring on the right (1), "
         "touches it (2), crosses it to the right of its center (3), passes through the center (4), and "
         "likewise on the left (5 to 7). The acceleration center is then opposite: inside the ring "
-        "(1, 7), on it (2, 6), outside it (3, 5), or at infinity (4). Light: this bound of the paper; "
+        "(1, 7), on it (2, 6), outside it (3, 5), or at infinity (4). Light: the paper's bound; "
         "dark: the exact set. Blue: accelerations of the contact in the exact cone, and those that the "
         "bound adds (hatched). For a fence acceleration in the yellow sector the contact slips whatever "
         "the magnitude; the dashed arrow is the slip, the acceleration relative to the fence "

@@ -21,6 +21,8 @@ FEW_ULP = 4
 #: Numbers of the hard cases in which two slipping solutions meet, and of those of thin shapes, which are
 #: computed as differences and lose digits beyond their condition.
 PAINLEVE, THIN = 7, 12
+#: Number of the motions over time, whose errors are those of the integration.
+MOTION = 13
 
 
 def machine(data: xr.Dataset) -> dict[str, str]:
@@ -147,23 +149,49 @@ def accurate_cases(cases: xr.Dataset) -> float:
 
 
 def thick(cases: xr.Dataset) -> xr.Dataset:
-    """Hard cases except those of thin shapes."""
-    return part(cases, "case", cases.line.values != THIN)
+    """Hard cases except those of thin shapes and motions over time."""
+    return part(cases, "case", ~np.isin(cases.line.values, (THIN, MOTION)))
+
+
+def over_time(cases: xr.Dataset) -> xr.Dataset:
+    """Hard motions over time."""
+    return part(cases, "case", cases.line.values == MOTION)
+
+
+def motions(cases: xr.Dataset) -> float:
+    """Number of hard motions, whose labels end in their names."""
+    labels = over_time(cases).case.values.tolist()
+    return float(len({label.partition(", ")[2] for label in labels}))
+
+
+def largest_error_of_motions(cases: xr.Dataset) -> float:
+    """Largest error of the hard motions, units in the last place."""
+    return float(over_time(cases).error_ulp.max())
+
+
+def fewest_digits(cases: xr.Dataset) -> float:
+    """Smallest number of digits of a reference of a hard motion."""
+    return float(over_time(cases).reference_digits.min())
+
+
+def tolerance(cases: xr.Dataset) -> float:
+    """Relative tolerance of the hard motions."""
+    return float(json.loads(cases.attrs["parameters"])["rtol"])
 
 
 def largest_error(cases: xr.Dataset) -> float:
-    """Largest error of the well-conditioned cases except thin shapes, units in the last place."""
+    """Largest error of the well-conditioned cases except thin shapes and motions, ulp."""
     return float(well(thick(cases)).error_ulp.max())
 
 
 def condition_there(cases: xr.Dataset) -> float:
-    """Condition number where the error of the well-conditioned cases except thin shapes is largest."""
+    """Condition number of the well-conditioned case with the largest error, as above."""
     fine = well(thick(cases))
     return float(fine.condition[int(np.argmax(fine.error_ulp.values))])
 
 
 def largest_error_elsewhere(cases: xr.Dataset) -> float:
-    """Largest error of the well-conditioned cases except slips that meet and thin shapes."""
+    """Largest error of the well-conditioned cases except slips that meet, thin shapes and motions."""
     fine = well(thick(cases))
     return float(fine.error_ulp.values[fine.line.values != PAINLEVE].max())
 
@@ -174,7 +202,7 @@ def largest_error_of_thin(cases: xr.Dataset) -> float:
 
 
 def largest_share(cases: xr.Dataset) -> float:
-    """Largest error of any case except thin shapes in units of one plus its condition number."""
+    """Largest error of any case except thin shapes and motions, over one plus its condition."""
     some = thick(cases)
     return float((some.error_ulp / (1 + some.condition)).max())
 

@@ -27,6 +27,7 @@ PLACES = {
     10: "rims",
     11: "segments",
     12: "thin plates and annuli",
+    13: "motions over time",
 }
 #: What the methods compute: the groups of the dataset.
 QUANTITIES = ("wrench", "cone", "motion")

@@ -19,6 +19,7 @@ from planar_pushing.terms.quantities import DATASET as VARIABLES
 from pulling_by_pushing.evidence.hard_cases.case import QUANTITIES
 from pulling_by_pushing.evidence.hard_cases.cases import cases, make_scene
 from pulling_by_pushing.evidence.hard_cases.dataset import REFERENCE_DIGITS, build, measure
+from pulling_by_pushing.evidence.hard_cases.motions import outcomes
 from pulling_by_pushing.evidence.hard_cases.references import in_exact_degrees
 from pulling_by_pushing.figures.evidence import hard_cases
 from pulling_by_pushing.oracle.balls import Undecided
@@ -123,7 +124,8 @@ def test_every_line_has_cases_and_every_label_is_its_own(measures):
     assert all(measures.values())
     assert len({case.label for case in every}) == len(every) == len(cases())
     assert [case.line for case in cases()] == sorted(case.line for case in every)
-    assert {case.function.quantity for case in every} == set(QUANTITIES)
+    over_time = {each.quantity for each in outcomes()}
+    assert {case.function.quantity for case in every} | over_time == set(QUANTITIES)
 
 
 def test_ill_conditioned_cases_say_so(measures):
