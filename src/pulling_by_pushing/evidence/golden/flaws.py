@@ -86,7 +86,7 @@ def _rounding_of_cases(cases: xr.Dataset) -> dict[str, xr.DataArray]:
     """
     ulps = 8 + 4 * cases["condition"]
     ulps = ulps.where(cases["error_ulp"] <= ulps, 4 * cases["error_ulp"])
-    ulps = xr.where(cases["line"] == MOTION, np.fmax(ulps, TOLERANCE_ULPS), ulps)
+    ulps = ulps.where(cases["line"] != MOTION, np.fmax(ulps, TOLERANCE_ULPS))
     return {"result": ulps * np.spacing(np.abs(cases["reference_high"])), "error_ulp": ulps}
 
 

@@ -174,7 +174,7 @@ def build() -> xr.Dataset:
     }
     dataset = xr.Dataset(
         {name: ("case", column) for name, column in columns.items()},
-        coords={"case": [case.label for case in (*table, *motions)]},
+        coords={"case": [case.label for case in table] + [each.label for each in motions]},
     )
     return describe(
         dataset,
