@@ -64,7 +64,7 @@ def caption(data: dict[str, Any]) -> str:
     feet, face, polygons = (data[name]["pushes"] for name in ("three_feet", "patch", "polygons"))
     return (
         "Errors of friction models on measured pushes; each half of the pushes is predicted by models "
-        "fitted to the other half. A marker is the median, a thick line its 95 percent interval, and a "
+        "fitted to the other half, sorted by the first median in a row. A marker is the median, a thick line its 95 percent interval, and a "
         "thin line ends at the 90th percentile. To the right is the ratio of the median to that of the "
         "ellipsoid fitted to the same pushes, with its 95 percent interval. Values for the triangle are "
         f"means over {data['splits']} splits into halves, with intervals that contain pushes, splits, and "
@@ -77,8 +77,15 @@ def caption(data: dict[str, Any]) -> str:
 
 
 def parts(data: dict[str, Any]) -> list[list[Part]]:
-    """Panels by rows."""
-    return [[part for group in row for part in _parts(data, group)] for row in GROUPS]
+    """Panels by rows, in each of which the models are in the order of the medians of the first panel."""
+    return [_sort([part for group in row for part in _parts(data, group)]) for row in GROUPS]
+
+
+def _sort(row: list[Part]) -> list[Part]:
+    """Panels of a row with their models in the order of the medians of the first one."""
+    first = row[0].errors
+    order = first.model.values[np.argsort(first["median"].values.ravel(), kind="stable")]
+    return [Part(part.group, part.errors.sel(model=order)) for part in row]
 
 
 def _parts(data: dict[str, Any], group: Group) -> list[Part]:

@@ -27,10 +27,12 @@ FIGURE = Figure(
     section=SECTION,
 )
 #: Friction coefficients labeled on the axis of friction angles.
-TICKS = np.array([0.5, 1, 1.5, 2, 3, 5, 10, np.inf])
+TICKS = np.array([0.5, 0.7, 1, 1.5, 2, 3, 5, 10, np.inf])
 #: A larger change of the friction angle between two samples, degrees, is a jump.
 JUMP = 8.0
 UPRIGHT = 90.0
+#: Smallest friction angle in the panels over each quantity, degrees.
+LOWEST = {"rod_length": 42.0, "rod_angle": 24.0}
 
 
 def caption(data: Data) -> str:
@@ -39,9 +41,9 @@ def caption(data: Data) -> str:
     length, angle, ring = cuts(rods, data["supports"])
     return (
         "Smallest coefficient of friction at which the contact can stick while the pusher moves "
-        "away, for supports on areas (a, b) and on points and lines (c, d), over the rod length "
-        f"(a, c; ψ = {angle}°) and, as the difference Δ of arctan μ from that of {ring}, over the rod "
-        f"angle (b, d; l = {length}). Where a curve reaches infinity, pulling is impossible; at ψ = 90° "
+        "away, on the scale of arctan μ, for supports on areas (a, b) and on points and lines (c, d), "
+        f"over the rod length (a, c; ψ = {angle}°) and over the rod angle (b, d; l = {length}), beside "
+        f"that of {ring}. Where a curve reaches infinity, pulling is impossible; at ψ = 90° "
         "this happens for every support that is symmetric about the rod."
         f"{''.join(_remarks(rods))}"
     )
@@ -61,7 +63,7 @@ def _remarks(rods: xr.Dataset) -> Iterator[str]:
 
 
 def draw(figure: Any, data: Data) -> None:
-    """Draw the smallest friction over rod length, and its difference from the ring's over rod angle."""
+    """Draw the smallest friction over rod length and over rod angle."""
     rods = data["support_rods"]
     supports = shapes(data["supports"])
     rows = families(supports, float(rods.radius))
@@ -69,25 +71,23 @@ def draw(figure: Any, data: Data) -> None:
         swept = over(rods, panel.axis)
         law = _heights(swept, panel.axis, "inertia_")
         panel.ax.plot(swept[panel.axis], law, label="ring, inertia alone", **INERTIA)
-        if panel.axis == "rod_length":
-            _over_lengths(panel.ax)
-        else:
-            panel.ax.set_ylabel(r"$\Delta\,\arctan \mu$ (degrees)")
+        _label_friction(panel)
+        if panel.axis == "rod_angle":
             _mark_jumps(panel, rods)
         label_lines(panel.ax, named_lines(panel.ax))
 
 
 def _heights(rods: xr.Dataset, axis: str, prefix: str) -> Array:
-    """Friction angles, with gaps where a curve jumps; over rod angles, minus the ring's."""
+    """Friction angles, with gaps where a curve jumps."""
     height: Array = rods[f"{prefix}pulling_friction_angle"].values
-    if axis == "rod_angle":
-        height = height - rods.ring_pulling_friction_angle.values
     return np.where(np.abs(np.diff(height, append=height[-1])) > JUMP, np.nan, height)
 
 
-def _over_lengths(ax: Any) -> None:
-    ax.set_ylim(42.0, 91.5)
-    ticks = TICKS[np.degrees(np.arctan(TICKS)) >= 42.0]
+def _label_friction(panel: Panel) -> None:
+    """Label friction coefficients on the axis of friction angles."""
+    ax, lowest = panel.ax, LOWEST[panel.axis]
+    ax.set_ylim(lowest, 91.5)
+    ticks = TICKS[np.degrees(np.arctan(TICKS)) >= lowest]
     names = [r"$\infty$" if np.isinf(mu) else f"{mu:g}" for mu in ticks]
     ax.set_yticks(np.degrees(np.arctan(ticks)), names)
     ax.axhline(90.0, color=GRAY, linewidth=0.5, zorder=0)
@@ -107,12 +107,11 @@ def _mark_jumps(panel: Panel, rods: xr.Dataset) -> None:
 
 
 def _jump(rods: xr.Dataset, name: object) -> tuple[float, float] | None:
-    """Heights of a curve at the upright rod and beside it, minus the ring's; None if they are equal."""
+    """Heights of a curve at the upright rod and beside it; None if they are equal."""
     turned = over(rods, "rod_angle").sel(support=name)
     height = turned.pulling_friction_angle.values
     for row in np.flatnonzero(turned.rod_angle.values[1:] == UPRIGHT) + 1:
-        here = float(height[row] - turned.ring_pulling_friction_angle.values[row])
-        limit = float(height[row - 1]) - 90.0
+        here, limit = float(height[row]), float(height[row - 1])
         if abs(here - limit) > JUMP:
             return here, limit
     return None
