@@ -64,7 +64,8 @@ def caption(data: dict[str, Any]) -> str:
     feet, face, polygons = (data[name]["pushes"] for name in ("three_feet", "patch", "polygons"))
     return (
         "Errors of friction models on measured pushes; each half of the pushes is predicted by models "
-        "fitted to the other half, sorted by the first median in a row. A marker is the median, a thick line its 95 percent interval, and a "
+        "fitted to the other half, sorted by the first median in a row. A marker is the median, a thick "
+        "line its 95 percent interval, and a "
         "thin line ends at the 90th percentile. To the right is the ratio of the median to that of the "
         "ellipsoid fitted to the same pushes, with its 95 percent interval. Values for the triangle are "
         f"means over {data['splits']} splits into halves, with intervals that contain pushes, splits, and "
