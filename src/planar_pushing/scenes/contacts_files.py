@@ -17,7 +17,6 @@ from planar_pushing.mechanics.outline import Outline, read_drawing, require_outl
 from planar_pushing.mechanics.outline.entries import OUTLINE
 from planar_pushing.mechanics.supports import Disc
 from planar_pushing.objects.several.contact import Contact, components, place_contacts
-from planar_pushing.objects.several.simulate_contacts import simulate_contacts
 from planar_pushing.objects.several.solve_contacts import scene_about_center
 from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.files import (
@@ -188,6 +187,9 @@ def simulate_contacts_file(file: ContactsFile, path: PathLike | None = None) -> 
             "simulate", None, "a section of the scene file",
             "add it to the file, as in simulate: {pushers: [{angle: 90}], duration: 1}",
         )  # fmt: skip
+    # It integrates with scipy, whose import takes as long as most answers about one instant.
+    from planar_pushing.objects.several.simulate_contacts import simulate_contacts
+
     log = quietly(simulate_contacts)(**file.arguments(file.simulate))
     log = log.assign_attrs(scene=to_json(file.model_dump(exclude_none=True)))
     if path is not None:

@@ -12,7 +12,6 @@ from planar_pushing.mechanics.contact import LAWS
 from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.objects.several.contact import Contact, place_contacts
-from planar_pushing.objects.several.simulate_contacts import contacts_at_start
 from planar_pushing.objects.several.solve_contacts import scene_about_center
 from planar_pushing.scenes.entries import EffectEntry, UnitsEntry, entry_of
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, Text, refuse_key
@@ -218,6 +217,8 @@ class ContactsFile(FileModel):
         contacts = [entry.build() for entry in self.contacts]
         outline = self.object.built_outline
         if self.simulate is not None:
+            from planar_pushing.objects.several.simulate_contacts import contacts_at_start
+
             pushers = [Pusher(**entry.arguments_of_pusher) for entry in self.simulate.pushers]
             contacts = contacts_at_start(contacts, pushers, outline=outline, **self.simulate.world)
         return {"contacts": contacts, "effects": self._effects(), "outline": outline}
