@@ -127,8 +127,8 @@ def simulate(
     """Simulate the contacts of a file, write the log, and return a summary of the motion."""
     from pydantic import ValidationError
 
-    from planar_pushing.scenes.contacts_files import simulate_contacts_file
     from planar_pushing.scenes.contacts_model import SimulateContactsEntry
+    from planar_pushing.scenes.simulate import simulate_contacts_file
 
     refuse_options(args, tuple(name for name in options if name not in SHARED))
     if file.simulate is not None:

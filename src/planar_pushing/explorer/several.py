@@ -22,9 +22,10 @@ from planar_pushing.mechanics.entries import scene_entry
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.objects.scene_at import place_object
 from planar_pushing.objects.several.solutions import ContactsSolution
-from planar_pushing.scenes.contacts_files import save_contacts_file, simulate_contacts_file
+from planar_pushing.scenes.contacts_files import save_contacts_file
 from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.scene_model import SceneFile
+from planar_pushing.scenes.simulate import simulate_contacts_file
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.netcdf import write_dataset
 

@@ -1,4 +1,4 @@
-"""Read, write and simulate scene files with several contacts."""
+"""Read and write scene files with several contacts."""
 
 from __future__ import annotations
 
@@ -8,11 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from pydantic import ValidationError
 
 from planar_pushing.mechanics.effects import Effect
-from planar_pushing.mechanics.entries import TAGS, entry, to_json
+from planar_pushing.mechanics.entries import TAGS, entry
 from planar_pushing.mechanics.outline import Outline, read_drawing, require_outline
 from planar_pushing.mechanics.outline.entries import OUTLINE
 from planar_pushing.mechanics.supports import Disc
@@ -29,7 +28,6 @@ from planar_pushing.scenes.files import (
     write_plain,
 )
 from planar_pushing.scenes.scene_model import SceneFile
-from planar_pushing.simulation.early_end import quietly, warn_of_early_end
 from planar_pushing.terms.domain import ROTATION
 from planar_pushing.terms.errors import (
     InvalidFile,
@@ -38,7 +36,6 @@ from planar_pushing.terms.errors import (
     require_number,
     require_path,
 )
-from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.replacing import PathLike
 from planar_pushing.terms.units import Units
 
@@ -171,27 +168,3 @@ def _numbers(name: str, value: Any) -> list[float]:
     if any(map(np.ndim, parts)):
         raise InvalidValue(name, value, "single numbers", "save one problem at a time")
     return [float(part) for part in parts]
-
-
-@warn_of_early_end
-def simulate_contacts_file(file: ContactsFile, path: PathLike | None = None) -> xr.Dataset:
-    """Simulate the contacts of a file, and write the log; errors as in `simulate_contacts`.
-
-    Raises
-    ------
-    InvalidValue
-        If the file has no section `simulate`.
-    """
-    if file.simulate is None:
-        raise InvalidValue(
-            "simulate", None, "a section of the scene file",
-            "add it to the file, as in simulate: {pushers: [{angle: 90}], duration: 1}",
-        )  # fmt: skip
-    # It integrates with scipy, whose import takes as long as most answers about one instant.
-    from planar_pushing.objects.several.simulate_contacts import simulate_contacts
-
-    log = quietly(simulate_contacts)(**file.arguments(file.simulate))
-    log = log.assign_attrs(scene=to_json(file.model_dump(exclude_none=True)))
-    if path is not None:
-        write_dataset(log, path)
-    return log

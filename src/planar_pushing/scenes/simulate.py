@@ -7,7 +7,10 @@ from typing import Any, NamedTuple
 
 import xarray as xr
 
+from planar_pushing.mechanics.entries import to_json
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.objects.several.simulate_contacts import simulate_contacts
+from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.scenes.simulate_model import SimulateEntry
 from planar_pushing.simulation.early_end import quietly, warn_of_early_end
@@ -17,6 +20,7 @@ from planar_pushing.simulation.until import Until
 from planar_pushing.simulation.walls import Wall
 from planar_pushing.simulation.world import world_of
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.numbers import in_radians
 from planar_pushing.terms.options import Policy, PusherFrame
 from planar_pushing.terms.replacing import PathLike
@@ -37,6 +41,27 @@ def simulate_file(
         raise InvalidValue("simulate", None, "a section of the scene file", "add it to the file")
     scene, settings = file.build(), arguments(file.simulate)
     return quietly(simulate)(scene, **settings, path=path, progress=progress)
+
+
+@warn_of_early_end
+def simulate_contacts_file(file: ContactsFile, path: PathLike | None = None) -> xr.Dataset:
+    """Simulate the contacts of a file, and write the log; errors as in `simulate_contacts`.
+
+    Raises
+    ------
+    InvalidValue
+        If the file has no section `simulate`.
+    """
+    if file.simulate is None:
+        raise InvalidValue(
+            "simulate", None, "a section of the scene file",
+            "add it to the file, as in simulate: {pushers: [{angle: 90}], duration: 1}",
+        )  # fmt: skip
+    log = quietly(simulate_contacts)(**file.arguments(file.simulate))
+    log = log.assign_attrs(scene=to_json(file.model_dump(exclude_none=True)))
+    if path is not None:
+        write_dataset(log, path)
+    return log
 
 
 def arguments(entry: SimulateEntry) -> dict[str, Any]:

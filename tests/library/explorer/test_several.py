@@ -20,8 +20,9 @@ from planar_pushing.explorer.presets import SEVERAL, preset, titles
 from planar_pushing.explorer.several import FIXED, lines, open_state
 from planar_pushing.explorer.state import with_push, with_rod
 from planar_pushing.explorer.view import EMPTY, Order, box_of, view
-from planar_pushing.scenes.contacts_files import load_contacts_file, simulate_contacts_file
+from planar_pushing.scenes.contacts_files import load_contacts_file
 from planar_pushing.scenes.files import load_scene_file
+from planar_pushing.scenes.simulate import simulate_contacts_file
 from planar_pushing.terms.errors import InvalidFile
 
 SIZES = dict.fromkeys(("scene", "curve", "map", "time"), (700.0, 480.0))

@@ -9,8 +9,8 @@ import planar_pushing as pp
 from planar_pushing.scenes.contacts_files import (
     load_contacts_file,
     save_contacts_file,
-    simulate_contacts_file,
 )
+from planar_pushing.scenes.simulate import simulate_contacts_file
 
 FILES = ("two_fingers", "finger_in_a_corner")
 #: Check value 5 of two contacts on four feet.
