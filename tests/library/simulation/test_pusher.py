@@ -187,12 +187,12 @@ WRONG_TABLES = {
     "one less": (FRAME[["time", "v_x"]], "time, v_x' given; allowed: time, v_x, v_y; name"),
     "twice": (FRAME[["time", "v_x", "v_x"]], "time, v_x, v_x' given; allowed: time, v_x, v_y; name"),
     "shape": (np.ones((2, 5)), "an array of shape (2, 5)' given; allowed: shape (rows, 3); give time,"),
-    "empty": (np.ones((0, 3)), "velocity: "),
+    "empty": (np.ones((0, 3)), "velocity: [] given; allowed: (v_x, v_y), a sequence of"),
     "gap": (FRAME.replace({"v_y": {0.5: np.nan}}), "nan in row 1 of v_y' given; allowed: finite numbers"),
     "text": (FRAME.astype({"v_x": str}), "a column v_x of other values' given; allowed: finite"),
     "masked": (np.ma.masked_equal(ROWS, 0.5), "a column time of other values' given; allowed: finite"),
     "order": (FRAME[::-1], "start times that begin at 0 and increase"),
-    "fast": (FRAME.replace({"v_y": {0.5: 1e200}}), "velocity"),
+    "fast": (FRAME.replace({"v_y": {0.5: 1e200}}), "1e+200 given; allowed: a speed of 0, or a number in"),
 }  # fmt: skip
 
 

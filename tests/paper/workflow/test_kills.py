@@ -187,12 +187,12 @@ scene = pp.Scene(
     slider=pp.Slider(rod_length=2.0, rod_angle=1.0), contact=pp.Coulomb(0.5),
     effects=(pp.RingFriction(), pp.Inertia()),
 )
-pusher = pp.Pusher(velocity=(0.3, 1.0))
+pusher, speeds = pp.Pusher(velocity=(0.3, 1.0)), np.linspace(0.2, 2, 20_000)
 calls = {{
     "solve": lambda: pp.solve(scene, np.linspace(0, 3, 5_000_000)),
     "simulate": lambda: pp.simulate(scene, pusher, duration=1.0, method="time-stepping", step=1e-9),
     "batch": lambda: pp.simulate_batch(
-        scene, pp.Pusher(velocity=np.linspace(0.2, 2, 20_000)[:, None] * [0.3, 1.0]), duration=50.0
+        scene, pp.Pusher(velocity=(speeds * 0.3, speeds)), duration=50.0
     ),
 }}
 sent = []

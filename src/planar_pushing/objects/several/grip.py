@@ -43,7 +43,7 @@ class GripRows(NamedTuple):
 
 
 def is_opposite(one: PlacedContact, other: PlacedContact, extent: float) -> bool:
-    """Whether two contacts have opposite normals on one line."""
+    """Whether two contacts have opposite normals on one line, to within a share of an object's extent."""
     (n_x, n_y), (m_x, m_y) = one.normal, other.normal
     r_x, r_y = one.point[0] - other.point[0], one.point[1] - other.point[1]
     aside = abs(r_x * n_y - r_y * n_x)
@@ -54,6 +54,8 @@ def require_grip(
     contacts: Sequence[PlacedContact], effects: Sequence[Effect], scene: Scene
 ) -> None:
     """Refuse a finger that is driven by force unless another one is opposite and friction alone resists.
+
+    The friction has to be off every line: on a line it does not determine the motion.
 
     Raises
     ------
@@ -104,7 +106,18 @@ def _is_on_line(effects: Sequence[Any]) -> bool:
 def grip_rows(
     scene: Scene, contacts: Sequence[PlacedContact], columns: Sequence[Any], force: Any
 ) -> GripRows:
-    """The rows of a scene without its loads, and the grip with them."""
+    """The rows of a scene without its loads, and the grip, which has them and a normal force.
+
+    Parameters
+    ----------
+    scene : Scene
+    contacts : sequence of PlacedContact
+        Two, one of which has a grip force.
+    columns : sequence
+        Those of the scene's effects; loads are first.
+    force : number or array
+        The grip force, in the unit of force of the effects.
+    """
     entries = [entry for entry in scene.rows.entries if entry.kind != LOAD]
     count = len(columns) - sum(len(entry.columns) for entry in entries)
     loads, friction = columns[:count], columns[count:]

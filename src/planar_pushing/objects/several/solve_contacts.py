@@ -67,16 +67,18 @@ def solve_contacts(
     Returns
     -------
     ContactsSolutions, ContactsSolutionArrays or xarray.Dataset
-        All numbers are in the object's frame. `ContactsSolutionArrays` if a velocity, a law or the strength
-        of an effect is an array, all of which are broadcast, and a dataset with the same variables if one
-        is a DataArray.
+        All numbers are in the object's frame. `ContactsSolutionArrays` if a velocity, a law, a grip force
+        or the strength of an effect is an array, all of which are broadcast, and a dataset with the same
+        variables if one is a DataArray.
 
     Raises
     ------
     InvalidValue
         If there are no contacts or more than four, one is not on the outline or is given twice, an effect
-        cannot be placed, m a / W with friction and inertia is out of its range, or two contacts squeeze the
-        object along one line, so that nothing determines their forces.
+        cannot be placed, m a / W with friction and inertia is out of its range, two contacts squeeze the
+        object along one line, so that nothing determines their forces, or a contact with a grip force is
+        not one of two with opposite normals on one line, or acts beside inertia, viscous friction or a
+        support on one line.
 
     Notes
     -----
@@ -85,6 +87,9 @@ def solve_contacts(
     slip that it sticks. If there is no solution, `reason` says whether the object is jammed, because the
     pushers leave it no motion, or wedged, because forces of the contacts can cancel one another without
     bound.
+
+    If friction holds an object in a gripper at rest, its forces are not determined. Those are given that
+    need the smallest share of friction, and `inner_force` is theirs, not a range.
     """
     shape = None if outline is None else require_outline(outline)
     placed = place_contacts(contacts, shape, outline)
@@ -148,7 +153,7 @@ def _solve_arrays(
 ) -> list[npt.NDArray[Any]]:
     """The arrays of `ContactsSolutionArrays`, from the columns of the effects and those of the contacts.
 
-    The force of a finger that is driven by it follows.
+    A grip force, if there is one, is the last of the numbers.
     """
     rows, radius, count = scene.rows, scene.slider.radius, len(contacts)
     columns, rest = numbers[: len(rows.columns)], numbers[len(rows.columns) :]

@@ -78,8 +78,8 @@ def _by_level(motion: HardMotion, level: int) -> dict[str, arb]:
     duration = arb(motion.duration)
     last = quadrature.follow(push, _radians(motion.angle), duration, level)[-1]
     place = fence[0] * duration + last.slip + push.length * last.angle.cos()
-    found = {"time": last.time} if motion.box else {"rod_angle": in_degrees(last.angle)}
-    return found | {"position": place.mid()}
+    first = {"time": last.time} if motion.box else {"rod_angle": in_degrees(last.angle)}
+    return first | {"position": place.mid()}
 
 
 def _radians(degrees: float) -> arb:
@@ -88,8 +88,8 @@ def _radians(degrees: float) -> arb:
 
 def by_integrator(motion: HardMotion) -> Numbers:
     """Numbers of the implicit integrator at two tolerances, or of alternating slips in two step sizes."""
-    angle, way = float(np.deg2rad(motion.angle)), np.deg2rad(motion.pusher)
-    fence = (motion.speed * float(np.cos(way)), motion.speed * float(np.sin(way)))
+    angle, direction = float(np.deg2rad(motion.angle)), np.deg2rad(motion.pusher)
+    fence = (motion.speed * float(np.cos(direction)), motion.speed * float(np.sin(direction)))
     if motion.mass is None:
         step = motion.duration / motion.pieces
         ends = [
@@ -143,14 +143,14 @@ def conditions(motion: HardMotion) -> dict[str, float]:
 
 def references(motion: HardMotion) -> dict[str, Reference]:
     """References of a motion by label."""
-    condition, found = conditions(motion), {}
+    condition, by_label = conditions(motion), {}
     with ctx.workprec(quadrature.BITS):
         for quantity, pair in ROUTES[motion.route](motion).items():
             digits = agreeing_digits(pair)
             text = pair[0].mid().str(digits, radius=False)
             reference = Reference(text, digits, motion.route, condition[quantity])
-            found[label(quantity, motion)] = reference
-    return found
+            by_label[label(quantity, motion)] = reference
+    return by_label
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

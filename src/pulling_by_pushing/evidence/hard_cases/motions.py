@@ -165,8 +165,8 @@ def run(motion: HardMotion) -> xr.Dataset:
         BOX[1], (np.cos(turn), np.sin(turn)), effects=(SupportFriction(support=Ring(1.0)),),
         contact=Coulomb(motion.mu), outline=BOX,
     )  # fmt: skip
-    way = np.deg2rad(motion.pusher)
-    velocity = (motion.speed * np.cos(way), motion.speed * np.sin(way))
+    direction = np.deg2rad(motion.pusher)
+    velocity = (motion.speed * np.cos(direction), motion.speed * np.sin(direction))
     return simulate(
         scene, Pusher(velocity=velocity), duration=motion.duration, rtol=RTOL, samples=2
     )

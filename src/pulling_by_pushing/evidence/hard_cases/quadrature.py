@@ -16,7 +16,6 @@ from flint import acb, arb, ctx
 from pulling_by_pushing.oracle.balls import Undecided
 
 Pair = tuple[arb, arb]
-Rates = tuple[arb, arb]
 #: Bits of the numbers, and the finest step of the rule as a power of two.
 BITS, LEVEL = 160, 5
 #: Largest abscissa of the rule before its substitution, where weights are below 2^-BITS.
@@ -126,14 +125,14 @@ def find_increasing(function: Callable[[arb], arb], guess: arb) -> arb:
     return guess
 
 
-def nodes(level: int) -> Iterator[tuple[arb, arb, bool]]:
-    """Abscissas and weights on [-1, 1] from left to right, and whether twice the step has them, too."""
+def nodes(level: int) -> Iterator[Pair]:
+    """Abscissas and weights on [-1, 1] from left to right."""
     count, half_pi = REACH * 2**level, arb.pi() / 2
     for j in range(-count, count + 1):
         t = arb(j) / 2**level
         inner = half_pi * t.sinh()
         weight = half_pi * t.cosh() / inner.cosh() ** 2 / 2**level
-        yield inner.tanh().mid(), weight.mid(), j % 2 == 0
+        yield inner.tanh().mid(), weight.mid()
 
 
 class Motion:
@@ -171,7 +170,7 @@ class Motion:
             total = [a + b for a, b in zip(total, (f_x, f_y, x * f_y - y * f_x), strict=True)]
         return total[0].mid(), total[1].mid(), total[2].mid()
 
-    def sticking(self, angle: arb) -> arb:
+    def spin_of_stick(self, angle: arb) -> arb:
         """Rate of rotation if the contact sticks: its force has no torque about it."""
 
         def torque(spin: arb) -> arb:
@@ -180,7 +179,7 @@ class Motion:
         self.near_spin = find_increasing(torque, self.near_spin)
         return self.near_spin
 
-    def slipping(self, angle: arb, edge: Pair) -> tuple[arb, arb, arb]:
+    def rates_of_slip(self, angle: arb, edge: Pair) -> tuple[arb, arb, arb]:
         """Rates of rotation and of slip on an edge of the cone, and the spin ratio, for the ring."""
         if self.push.feet:
             raise Undecided("slip is computed for the ring alone")
@@ -197,11 +196,11 @@ class Motion:
         spin = (k * speed).mid()
         return spin, (speed * edge[0] + spin * y - self.push.fence[0]).mid(), k
 
-    def rates(self, angle: arb, mode: str) -> Rates:
+    def rates(self, angle: arb, mode: str) -> Pair:
         """Rates of rotation and of slip in a mode."""
         if mode == STICK:
-            return self.sticking(angle), arb(0)
-        return self.slipping(angle, self.edges[mode == SLIP_RIGHT])[:2]
+            return self.spin_of_stick(angle), arb(0)
+        return self.rates_of_slip(angle, self.edges[mode == SLIP_RIGHT])[:2]
 
     def margins(self, angle: arb, mode: str) -> tuple[arb, ...]:
         """Numbers whose signs change at the events of a mode, or where the rates have a kink.
@@ -210,9 +209,9 @@ class Motion:
         center of rotation from the ring, or for each foot that of its normal line from the contact.
         """
         if mode != STICK:
-            _, slip, k = self.slipping(angle, self.edges[mode == SLIP_RIGHT])
+            _, slip, k = self.rates_of_slip(angle, self.edges[mode == SLIP_RIGHT])
             return slip, abs(k) - 1
-        spin, (u, v) = self.sticking(angle), self.push.fence
+        spin, (u, v) = self.spin_of_stick(angle), self.push.fence
         f_x, f_y, _ = self.load(angle, spin)
         (r_x, r_y), (l_x, l_y) = self.edges
         cone = r_x * f_y - r_y * f_x, f_x * l_y - f_y * l_x
@@ -228,19 +227,18 @@ class Motion:
         )
         return *cone, *crossings
 
-    def integrate(self, start: arb, end: arb, mode: str) -> tuple[arb, arb, arb]:
-        """Time and slip from one rod angle to another, and the difference of the time at twice the step."""
+    def integrate(self, start: arb, end: arb, mode: str) -> Pair:
+        """Time and slip from one rod angle to another."""
         half, middle = (end - start) / 2, (end + start) / 2
-        time = slip = coarse = arb(0)
-        for x, weight, shared in self.rule:
+        time = slip = arb(0)
+        for x, weight in self.rule:
             angle = (middle + half * x).mid()
             if not abs(x) < 1 or angle in (start, end):
                 continue
             spin, slip_rate = self.rates(angle, mode)
             share = half * weight / spin
             time, slip = (time + share).mid(), (slip + share * slip_rate).mid()
-            coarse = (coarse + 2 * share).mid() if shared else coarse
-        return time, slip, abs(time - coarse)
+        return time, slip
 
     def begin(self, angle: arb, mode: str) -> Phase:
         """Phase of a mode at a rod angle."""
@@ -312,16 +310,16 @@ def follow(push: Push, start: arb, duration: arb, level: int = LEVEL) -> list[Pl
             time, angle, slip = places[-1]
             end, event = motion.end_of(phase, angle, duration - time)
             if event == FLUSH:
-                passed, slipped, _ = motion.integrate(angle, end, phase.mode)
+                passed, slipped = motion.integrate(angle, end, phase.mode)
                 return [*places, Place((time + passed).mid(), end, (slip + slipped).mid())]
             if event is not None:
-                passed, slipped, _ = motion.integrate(angle, end, phase.mode)
+                passed, slipped = motion.integrate(angle, end, phase.mode)
                 if time + passed < duration:
                     places.append(Place((time + passed).mid(), end, (slip + slipped).mid()))
                     beyond = (end + (end - angle) * arb(2) ** -30).mid()
                     phase = motion.begin(beyond, motion.next_mode(phase.mode, event))
                     continue
             end = motion.angle_after(phase, angle, end, duration - time)
-            _, slipped, _ = motion.integrate(angle, end, phase.mode)
+            _, slipped = motion.integrate(angle, end, phase.mode)
             return [*places, Place(duration, end, (slip + slipped).mid())]
     raise Undecided(f"a motion has more than {PHASES} phases")

@@ -93,6 +93,26 @@ class Gripper:
         return found
 
 
+    def reserve(self, forces):
+        """Smallest power of the feet in a unit motion, less that of forces at both fingers.
+
+        It is negative if friction cannot hold the slider at rest under the forces.
+        """
+        (f, g), y = forces, self.height
+        wrench = np.array([f[0] + g[0], f[1] + g[1], g[1] - f[1] - y * (f[0] + g[0])])
+
+        def excess(angles):
+            polar, around = angles
+            twist = np.array(
+                [np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.cos(polar)]
+            )
+            return self.support(twist)[0] - wrench @ twist
+
+        starts = [(polar, around) for polar in (0.6, 1.6, 2.5) for around in range(6)]
+        first = min(starts, key=excess)
+        return minimize(excess, first, method="Nelder-Mead").fun
+
+
 def gripper(seed):
     """A random gripper; some press less than the support resists, some far more."""
     rng = np.random.default_rng(seed)
@@ -203,6 +223,20 @@ def test_a_finger_that_leaves_is_followed_only_by_a_grip_that_beats_friction():
     assert weak[0].modes[0] == pp.ContactMode.SEPARATE
     assert not weak[0].twist.any()
     np.testing.assert_allclose(firm[0].twist, [-1.0, 0.0, 0.0], atol=1e-9)
+
+
+def test_friction_can_bear_the_forces_at_rest():
+    """Rest is a solution wherever the slider does not have to move, and friction bears its forces."""
+    resting = 0
+    for seed in range(60):
+        scene = gripper(5000 + seed)
+        scene.held = np.array([np.random.default_rng(seed).choice([-1.0, 0.0]), scene.held[1]])
+        for one in scene.answer():
+            if not one.twist.any():
+                check(scene, one)
+                assert scene.reserve(one.forces) > -1e-4
+                resting += 1
+    assert resting > 20
 
 
 def test_its_mirror_image_has_the_mirrored_solutions():
