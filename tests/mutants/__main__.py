@@ -34,8 +34,10 @@ def main() -> None:
     options = parser.parse_args()
     folder = options.folder.resolve()
     sys.path.insert(0, str(HERE.parent))
-    from mutants.switches import build_mutants, copy_tests
+    from mutants.switches import build_mutants, copy_tests, is_free
 
+    if not is_free(folder):
+        parser.error(f"{folder} has other files; allowed: a new or an empty folder, or an old copy")
     folder.mkdir(parents=True, exist_ok=True)
     if options.tests:
         copy_tests(folder)

@@ -68,6 +68,7 @@ def build_mutants(folder: Path, seed: int, count: int) -> list[dict[str, Any]]:
     list of dict
         The changes, as the file ``changes.json`` of the folder has them.
     """
+    (folder / LIST).write_text("[]", encoding="utf-8")  # marks the folder as one of such copies
     _copy(folder, COPIED)
     (folder / "baseline.jsonl").unlink(missing_ok=True)  # the record of tests without a change
     core = folder / "src/planar_pushing/core"
@@ -89,6 +90,11 @@ def build_mutants(folder: Path, seed: int, count: int) -> list[dict[str, Any]]:
     ]
     (folder / LIST).write_text(json.dumps(known, indent=1), encoding="utf-8")
     return known
+
+
+def is_free(folder: Path) -> bool:
+    """Whether nothing but a copy of the project is lost if one is made in a folder."""
+    return not folder.exists() or (folder / LIST).is_file() or not any(folder.iterdir())
 
 
 def copy_tests(folder: Path) -> None:

@@ -92,7 +92,6 @@ class Gripper:
                 found.append(self.motion(brentq(self.excess, forces[k], forces[k + 1], xtol=1e-9)))
         return found
 
-
     def reserve(self, forces):
         """Smallest power of the feet in a unit motion, less that of forces at both fingers.
 
