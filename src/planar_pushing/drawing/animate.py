@@ -154,8 +154,8 @@ def _write_video(gif: bytes, file: Path, name: PathLike) -> None:
     options = ["-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", str(file)]
     ended = subprocess.run([*command, *options], input=gif, capture_output=True, check=False)
     if ended.returncode:
-        said = ended.stderr.decode(errors="replace").strip().splitlines()
-        reason = said[-1] if said else f"exit code {ended.returncode}"
+        messages = ended.stderr.decode(errors="replace").strip().splitlines()
+        reason = messages[-1] if messages else f"exit code {ended.returncode}"
         raise InvalidFile(f"{name}: ffmpeg: {reason}; update ffmpeg, or give a name ending in .gif")
 
 

@@ -211,10 +211,10 @@ def _require_columns(name: str, names: list[Any], labels: tuple[str, str, str]) 
     """Reject a table whose columns are not those with these labels, each once."""
     unknown = [label for label in names if label not in labels]
     if unknown or len(names) != len(labels) or {*names} != {*labels}:
-        found = ", ".join(map(str, names)) or "none"
+        columns = ", ".join(map(str, names)) or "none"
         otherwise = "name the columns so, and choose these three of them"
         remedy = suggestion(unknown[0], labels, otherwise) if unknown else otherwise
-        raise InvalidValue(name, f"a table with the columns {found}", ", ".join(labels), remedy)
+        raise InvalidValue(name, f"a table with the columns {columns}", ", ".join(labels), remedy)
 
 
 def _required_column(name: str, label: str, column: Any) -> list[float]:
