@@ -137,8 +137,9 @@ def _add_balanced(
         return count
     least, most = -INFINITY, INFINITY
     if mode == STICK:
-        pull = grip.force * (1.0 + BALANCED)
-        least, most = pull * pull_of(press, SLIP_RIGHT), pull * pull_of(press, SLIP_LEFT)
+        pull, noise = grip.force * (1.0 + BALANCED), BALANCED * load.size
+        least = pull * pull_of(press, SLIP_RIGHT) - noise
+        most = pull * pull_of(press, SLIP_LEFT) + noise
     first, last = ForceEnd(low).inner, ForceEnd(high).inner
     if first > most or last < least or ForceEnd(low).is_infinite or ForceEnd(high).is_infinite:
         return count

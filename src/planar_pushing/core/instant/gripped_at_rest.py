@@ -56,7 +56,8 @@ def add_grip_at_rest(grip: Grip, solutions: Numbers, count: int) -> int:
         modes[i] = float(STICK)
         if fabs(along) > COINCIDENT:
             modes[i] = float(SLIP_LEFT if along > 0.0 else SLIP_RIGHT)
-    if held.pusher_across < -COINCIDENT:
+    slips: bool = int(modes[grip.held]) != STICK
+    if held.pusher_across < -COINCIDENT or (slips and not can_slip(grip, grip.held)):
         modes[grip.held] = float(SEPARATE)
     mode = int(modes[grip.pressed])
     if mode != STICK and not can_slip(grip, grip.pressed):

@@ -289,6 +289,26 @@ def test_a_load_pulls_the_object_against_the_finger():
         assert only.forces[0, 0] == pytest.approx(2.0 + 3.0 - load)
 
 
+@pytest.mark.parametrize("law", [pp.InfiniteFriction("none"), pp.PerfectlyRough()])
+def test_a_finger_that_cannot_slip_leaves_an_object_at_rest(law):
+    """It moves along its tangent; a slip, or a finger that pulls, would not be of its law."""
+    effects = [pp.SupportFriction(support=pp.Polygon(SQUARE)), pp.Load(force=(0.95, 0.0))]
+    one = pp.Contact((-1, 0.2), law=law, velocity=(0, 1))
+    other = pp.Contact((1, 0.2), law=pp.Coulomb(0.3), grip_force=0.1)
+    answer = pp.solve_contacts([one, other], effects=effects, outline=SQUARE)
+    (rest,) = (solution for solution in answer if not solution.twist.any())
+    assert rest.modes[0] == pp.ContactMode.SEPARATE
+    assert not rest.forces[0].any()
+
+
+def test_fingers_without_friction_stick_where_they_do_not_slip():
+    law, support = pp.Coulomb(0.0), pp.SupportFriction(support=pp.Polygon(SQUARE))
+    one = pp.Contact((-1, 0), law=law, velocity=(1, 0))
+    other = pp.Contact((1, 0), law=law, grip_force=3.0)
+    (only,) = pp.solve_contacts([one, other], effects=[support], outline=SQUARE)
+    assert only.modes == (pp.ContactMode.STICK,) * 2
+
+
 def grip(effects, point=(1, 0.2), force=1.0):
     one = pp.Contact((-1, 0.2), law=pp.Coulomb(0.4), velocity=(1, 0))
     other = pp.Contact(point, law=pp.Coulomb(0.3), grip_force=force)
