@@ -16,13 +16,13 @@ from math import fabs
 
 from planar_pushing.core.instant.directions import QUARTER_TURN
 from planar_pushing.core.instant.force import ContactMotion
-from planar_pushing.core.instant.force_sets import HeldLoad, balance_load
 from planar_pushing.core.instant.gripped_at_rest import add_grip_at_rest
 from planar_pushing.core.instant.gripped_frames import (
     GRIP_ROW,
     Grip,
     GripRow,
     add_gripped,
+    balance_grip,
     can_slip,
     force_of_press,
     grip_at,
@@ -56,8 +56,6 @@ from planar_pushing.core.instant.several_solutions import (
     SEVERAL_SOLUTION,
     load_of,
     sort_solutions,
-    unit_forces,
-    write_unit_force,
 )
 from planar_pushing.core.instant.solution import (
     SEPARATE,
@@ -73,14 +71,6 @@ from planar_pushing.core.instant.twist_line import (
     line_through,
     scale_vector,
     twist_on_line,
-)
-from planar_pushing.core.instant.unit_forces import (
-    END_OF_FORCES,
-    FORCE_END,
-    MOST_UNITS,
-    UNIT_FORCE,
-    ForceEnd,
-    UnitForce,
 )
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.resistance import resistance
@@ -107,52 +97,13 @@ def _add_balanced(
     count: int,
 ) -> int:  # fmt: skip
     """Add a motion if it keeps the modes and the fingers can balance its load within their laws."""
-    several, mode = grip.several, int(modes[grip.pressed])
+    several = grip.several
     if count < 0 or not keeps_modes(several, modes, twist) or length_of_twist(twist) <= COINCIDENT:
         return count
-    press = frame_of(several, grip.pressed)
-    units, own = zeros(MOST_UNITS * UNIT_FORCE), zeros(MOST_CONTACTS)
-    low, high = zeros(END_OF_FORCES), zeros(END_OF_FORCES)
-    own[grip.held] = modes[grip.held]
-    number = unit_forces(several, own, units)
-    held = frame_of(several, grip.held)
-    for k in range(number):
-        unit = UnitForce(units[UNIT_FORCE * k :])
-        unit.inner = unit.x * held.across.x + unit.y * held.across.y if mode != STICK else 0.0
-    if mode == STICK:
-        x, y = press.along.x, press.along.y
-        number = write_unit_force(units, number, grip.pressed, 1.0, press.along, x, y)
-        number = write_unit_force(units, number, grip.pressed, -1.0, press.along, x, y)
-    given, borne = force_of_press(grip, mode), load_of(several, twist)
-    load = HeldLoad(
-        x=borne.x - grip.load.x - given.x,
-        y=borne.y - grip.load.y - given.y,
-        torque=borne.torque - grip.load.spin - given.spin,
-        limit=borne.limit,
-        foot_x=borne.foot_x,
-        foot_y=borne.foot_y,
-        size=borne.size + length_of_twist(grip.load) + length_of_twist(given),
-    )
-    if not balance_load(units, number, load, slack, low, high):
-        return count
-    least, most = -INFINITY, INFINITY
-    if mode == STICK:
-        pull, noise = grip.force * (1.0 + BALANCED), BALANCED * load.size
-        least = pull * pull_of(press, SLIP_RIGHT) - noise
-        most = pull * pull_of(press, SLIP_LEFT) + noise
-    first, last = ForceEnd(low).inner, ForceEnd(high).inner
-    if first > most or last < least or ForceEnd(low).is_infinite or ForceEnd(high).is_infinite:
-        return count
+    load = load_of(several, twist)
     forces = zeros(8)
-    write_grip_force(given, grip.pressed, forces)
-    for end in range(2):
-        inner = min(max(first if end == 0 else last, least), most)
-        part = (inner - first) / (last - first) if last > first else 0.0
-        for k in range(number):
-            unit = UnitForce(units[UNIT_FORCE * k :])
-            multiple = (1.0 - part) * low[FORCE_END + k] + part * high[FORCE_END + k]
-            forces[4 * end + 2 * unit.contact] += multiple * unit.x
-            forces[4 * end + 2 * unit.contact + 1] += multiple * unit.y
+    if not balance_grip(grip, modes, load, slack, forces):
+        return count
     pivot, blur = NO_POINT, SLOW * length_of_twist(twist)
     if load.limit > 0.0:
         pivot = resistance(several.effects, twist.x, twist.y, twist.spin, blur).point

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from math import fabs
 
+from planar_pushing.core.instant.force_sets import HeldLoad
 from planar_pushing.core.instant.gripped_frames import (
     Grip,
     add_gripped,
+    balance_grip,
     can_slip,
     force_of_press,
     pull_of,
+    unit_forces_of_grip,
     write_grip_force,
 )
 from planar_pushing.core.instant.limit_line import (
@@ -23,8 +26,7 @@ from planar_pushing.core.instant.limit_line import (
     slope_at,
     surface_at,
 )
-from planar_pushing.core.instant.several_frames import MOST_CONTACTS, frame_of
-from planar_pushing.core.instant.several_solutions import unit_forces, write_unit_force
+from planar_pushing.core.instant.several_frames import MOST_CONTACTS, as_vector, frame_of
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
 from planar_pushing.core.instant.twist_line import length_of_twist, scale_vector
 from planar_pushing.core.instant.unit_forces import MOST_UNITS, UNIT_FORCE, UnitForce
@@ -38,7 +40,7 @@ from planar_pushing.core.supports.roots import (
     open_bracket,
 )
 from planar_pushing.core.supports.rows import NO_POINT, Effects, Vector
-from planar_pushing.core.supports.tolerances import COINCIDENT, SHARE
+from planar_pushing.core.supports.tolerances import BALANCED, COINCIDENT, SHARE
 
 
 def add_grip_at_rest(grip: Grip, solutions: Numbers, count: int) -> int:
@@ -50,7 +52,7 @@ def add_grip_at_rest(grip: Grip, solutions: Numbers, count: int) -> int:
     held, press = frame_of(several, grip.held), frame_of(several, grip.pressed)
     if held.pusher_across > COINCIDENT or count < 0:
         return count
-    modes, own = zeros(MOST_CONTACTS), zeros(MOST_CONTACTS)
+    modes = zeros(MOST_CONTACTS)
     for i in range(2):
         along = press.pusher_along if i == grip.pressed else held.pusher_along
         modes[i] = float(STICK)
@@ -62,36 +64,59 @@ def add_grip_at_rest(grip: Grip, solutions: Numbers, count: int) -> int:
     mode = int(modes[grip.pressed])
     if mode != STICK and not can_slip(grip, grip.pressed):
         return count
-    units = zeros(MOST_UNITS * UNIT_FORCE)
-    own[grip.held] = modes[grip.held]
-    number = unit_forces(several, own, units)
-    if mode == STICK:
-        number = write_unit_force(units, number, grip.pressed, 1.0, press.along, 0.0, 0.0)
-        number = write_unit_force(units, number, grip.pressed, -1.0, press.along, 0.0, 0.0)
-    given = force_of_press(grip, mode)
-    start = add_multiple(given, 1.0, grip.load)
-    best = surface_at(several.effects, start).share
-    multiples, trial = zeros(2), zeros(2)
-    first, second = -1, -1
-    for k in range(number):
-        for m in range(k, number):
-            one, other = UnitForce(units[UNIT_FORCE * k :]), UnitForce(units[UNIT_FORCE * m :])
-            share = _least_of_units(grip, start, one, other, m > k, trial)
-            if share < best:
-                best, first, second = share, k, m
-                multiples[0], multiples[1] = trial[0], trial[1]
-    if best > 1.0 + SHARE:
-        return count
+    nothing = HeldLoad(0.0, 0.0, 0.0, limit=0.0, foot_x=0.0, foot_y=0.0, size=0.0)
     forces = zeros(8)
-    write_grip_force(given, grip.pressed, forces)
-    if first >= 0:
-        one, other = UnitForce(units[UNIT_FORCE * first :]), UnitForce(units[UNIT_FORCE * second :])
-        write_grip_force(scale_vector(_wrench_of_unit(one), multiples[0]), one.contact, forces)
-        write_grip_force(scale_vector(_wrench_of_unit(other), multiples[1]), other.contact, forces)
+    held_alone: bool = balance_grip(grip, modes, nothing, BALANCED, forces)
+    if not held_alone and not _write_least_forces(grip, modes, forces):
+        return count
     return add_gripped(
         grip, modes, Vector(0.0, 0.0, 0.0), NO_POINT, forces, continuum=False, solutions=solutions,
         count=count,
     )  # fmt: skip
+
+
+def _write_least_forces(grip: Grip, modes: Numbers, forces: Numbers) -> bool:
+    """Write the forces that need the smallest share of friction; whether friction bears it.
+
+    If all forces that the laws allow leave some wrench, that of the smallest share is on the boundary of
+    theirs: two unit forces suffice, beside the largest or no friction of the finger that presses.
+    """
+    effects, mode = grip.several.effects, int(modes[grip.pressed])
+    press = frame_of(grip.several, grip.pressed)
+    units = zeros(MOST_UNITS * UNIT_FORCE)
+    multiples, trial = zeros(2), zeros(2)
+    number, given = unit_forces_of_grip(grip, modes, units), force_of_press(grip, mode)
+    most = grip.force * pull_of(press, SLIP_LEFT)
+    best, best_friction, first, second = INFINITY, 0.0, -1, -1
+    for side in range(-1, 2 if mode == STICK and most < INFINITY else 0):
+        # Without friction, and with the largest one to either side.
+        friction = 0.0
+        if side >= 0:
+            friction = most if side == 1 else grip.force * pull_of(press, SLIP_RIGHT)
+        own = add_multiple(given, friction, as_vector(press.along))
+        start = add_multiple(own, 1.0, grip.load)
+        share = surface_at(effects, start).share
+        if share < best:
+            best, best_friction, first = share, friction, -1
+        for k in range(number):
+            for m in range(k, number):
+                one, other = UnitForce(units[UNIT_FORCE * k :]), UnitForce(units[UNIT_FORCE * m :])
+                if side >= 0 and (one.contact == grip.pressed or other.contact == grip.pressed):
+                    continue
+                share = _least_of_units(grip, start, one, other, m > k, trial)
+                if share < best:
+                    best, best_friction, first, second = share, friction, k, m
+                    multiples[0], multiples[1] = trial[0], trial[1]
+    if best > 1.0 + SHARE:
+        return False
+    write_grip_force(
+        add_multiple(given, best_friction, as_vector(press.along)), grip.pressed, forces
+    )
+    if first >= 0:
+        one, other = UnitForce(units[UNIT_FORCE * first :]), UnitForce(units[UNIT_FORCE * second :])
+        write_grip_force(scale_vector(_wrench_of_unit(one), multiples[0]), one.contact, forces)
+        write_grip_force(scale_vector(_wrench_of_unit(other), multiples[1]), other.contact, forces)
+    return True
 
 
 def _wrench_of_unit(unit: UnitForce) -> Vector:

@@ -6,8 +6,10 @@ from math import cos, fabs, sin, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core._record import Record, size_of
+from planar_pushing.core.instant.force_sets import HeldLoad, balance_load
 from planar_pushing.core.instant.limit_line import add_multiple
 from planar_pushing.core.instant.several_frames import (
+    MOST_CONTACTS,
     MOST_OF_SEVERAL,
     ContactFrame,
     Several,
@@ -19,11 +21,22 @@ from planar_pushing.core.instant.several_solutions import (
     SEVERAL_SOLUTION,
     SeveralSolution,
     settle_solution,
+    unit_forces,
+    write_unit_force,
 )
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK, UNSOLVED
-from planar_pushing.core.instant.twist_line import scale_vector
-from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.instant.twist_line import length_of_twist, scale_vector
+from planar_pushing.core.instant.unit_forces import (
+    END_OF_FORCES,
+    FORCE_END,
+    MOST_UNITS,
+    UNIT_FORCE,
+    ForceEnd,
+    UnitForce,
+)
+from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.rows import Effects, Vector
+from planar_pushing.core.supports.tolerances import BALANCED
 
 #: An edge of a cone closer than this to the tangent, in radians, belongs to infinite friction.
 ROUGH_EDGE = 1e-12
@@ -141,3 +154,63 @@ def write_grip_force(force: Vector, i: int, forces: Numbers) -> None:
     for end in range(2):
         forces[4 * end + 2 * i] += force.x
         forces[4 * end + 2 * i + 1] += force.y
+
+
+def unit_forces_of_grip(grip: Grip, modes: Numbers, units: Numbers) -> int:
+    """Write the unit forces that are not given: of the finger that moves as given, and of a stick.
+
+    What they add to the inner force is the friction of the finger that presses, or if that is given, the
+    normal force of the other one.
+    """
+    held, press = frame_of(grip.several, grip.held), frame_of(grip.several, grip.pressed)
+    mode = int(modes[grip.pressed])
+    alone = zeros(MOST_CONTACTS)
+    alone[grip.held] = modes[grip.held]
+    number = unit_forces(grip.several, alone, units)
+    for k in range(number):
+        unit = UnitForce(units[UNIT_FORCE * k :])
+        unit.inner = unit.x * held.across.x + unit.y * held.across.y if mode != STICK else 0.0
+    if mode == STICK:
+        x, y = press.along.x, press.along.y
+        number = write_unit_force(units, number, grip.pressed, 1.0, press.along, x, y)
+        number = write_unit_force(units, number, grip.pressed, -1.0, press.along, x, y)
+    return number
+
+
+def balance_grip(
+    grip: Grip, modes: Numbers, borne: HeldLoad, slack: float, forces: Numbers
+) -> bool:
+    """Write the forces with which both fingers balance a load within their laws; whether there are any."""
+    press, mode = frame_of(grip.several, grip.pressed), int(modes[grip.pressed])
+    units = zeros(MOST_UNITS * UNIT_FORCE)
+    low, high = zeros(END_OF_FORCES), zeros(END_OF_FORCES)
+    number, given = unit_forces_of_grip(grip, modes, units), force_of_press(grip, mode)
+    load = HeldLoad(
+        x=borne.x - grip.load.x - given.x,
+        y=borne.y - grip.load.y - given.y,
+        torque=borne.torque - grip.load.spin - given.spin,
+        limit=borne.limit,
+        foot_x=borne.foot_x,
+        foot_y=borne.foot_y,
+        size=borne.size + length_of_twist(grip.load) + length_of_twist(given),
+    )
+    if not balance_load(units, number, load, slack, low, high):
+        return False
+    least, most = -INFINITY, INFINITY
+    if mode == STICK:
+        pull, noise = grip.force * (1.0 + BALANCED), BALANCED * load.size
+        least = pull * pull_of(press, SLIP_RIGHT) - noise
+        most = pull * pull_of(press, SLIP_LEFT) + noise
+    first, last = ForceEnd(low).inner, ForceEnd(high).inner
+    if first > most or last < least or ForceEnd(low).is_infinite or ForceEnd(high).is_infinite:
+        return False
+    write_grip_force(given, grip.pressed, forces)
+    for end in range(2):
+        inner = min(max(first if end == 0 else last, least), most)
+        part = (inner - first) / (last - first) if last > first else 0.0
+        for k in range(number):
+            unit = UnitForce(units[UNIT_FORCE * k :])
+            multiple = (1.0 - part) * low[FORCE_END + k] + part * high[FORCE_END + k]
+            forces[4 * end + 2 * unit.contact] += multiple * unit.x
+            forces[4 * end + 2 * unit.contact + 1] += multiple * unit.y
+    return True

@@ -95,11 +95,11 @@ def solve_contacts(
     placed = place_contacts(contacts, shape, outline)
     scene, center = scene_about_center(effects, shape)
     warn_of_doubts(effects, [contact.law for contact in placed], shape)
-    require_held(scene)
     forces = [contact.grip_force for contact in placed if contact.grip_force is not None]
-    if forces:
+    if forces:  # the fingers can hold a load that friction cannot
         require_grip(placed, effects, scene)
     else:
+        require_held(scene)
         _require_no_squeeze(placed, scene)
     count = len(placed)
     numbers = [

@@ -277,6 +277,18 @@ def test_arrays_of_forces_equal_single_calls():
         assert many[k] == solve(float(force))
 
 
+@pytest.mark.parametrize("force", [2.0, 5.0, 50.0])
+def test_fingers_hold_a_load_that_friction_cannot(force):
+    """At rest and in motion; with too weak a grip the object slips through the fingers."""
+    effects = [pp.SupportFriction(support=pp.Polygon(SQUARE)), pp.Load(force=(0.0, -1.2))]
+    for speed in (0.0, 0.3):
+        one = pp.Contact((-1, 0.0), law=pp.Coulomb(0.4), velocity=(speed, 0))
+        other = pp.Contact((1, 0.0), law=pp.Coulomb(0.4), grip_force=force)
+        (only,) = pp.solve_contacts([one, other], effects=effects, outline=SQUARE)
+        assert only.modes == (pp.ContactMode.STICK,) * 2
+        np.testing.assert_allclose(only.forces.sum(axis=0), [speed > 0.0, 1.2], atol=1e-9)
+
+
 def test_a_load_pulls_the_object_against_the_finger():
     """A load along the normal adds to the force of the finger that moves as given."""
     law = pp.Coulomb(0.0)
