@@ -23,16 +23,16 @@ class History:
     def __init__(self) -> None:
         self.past: list[State] = []
         self.future: list[State] = []
-        self._source, self._at = "", -JOINED
+        self._source, self._noted_at = "", -JOINED
 
-    def note(self, before: State, after: State, source: str, now: float) -> None:
+    def note(self, before: State, after: State, source: str, seconds: float) -> None:
         """Note a change of the state at a time in seconds, made by the drag or the widget of this name."""
         if essence(before) == essence(after):
             return
-        joins = source != "" and source == self._source and now - self._at < JOINED
+        joins = source != "" and source == self._source and seconds - self._noted_at < JOINED
         if not (joins and self.past):
             self.past = [*self.past, before][-KEPT:]
-        self._source, self._at, self.future = source, now, []
+        self._source, self._noted_at, self.future = source, seconds, []
 
     def rest(self) -> None:
         """End the step, so that the next change is one of its own."""

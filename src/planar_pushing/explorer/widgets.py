@@ -13,12 +13,11 @@ from planar_pushing.explorer.field import Field, buttons, number, select, slide
 from planar_pushing.explorer.lengths import factor, label
 from planar_pushing.explorer.object_fields import object_fields
 from planar_pushing.explorer.objects import object_of
-from planar_pushing.explorer.pictures.handles import handles_of
+from planar_pushing.explorer.pictures.handles import handle_of, handles_of
 from planar_pushing.explorer.pictures.maps import AXES, axes_of, axis_of
 from planar_pushing.explorer.state import (
     MAGNITUDES,
     ROUNDING,
-    Handle,
     Start,
     State,
     effect,
@@ -192,8 +191,9 @@ def _center(name: str, part: int) -> Field:
     """Field for a coordinate of the center of mass, in the object's frame if it has an outline."""
 
     def center(state: State) -> list[float]:
-        own = (effect(state, INERTIA) or {}).get("center", (0.0, 0.0))
-        point = object_of(state).body.point_out(own) if state.has_outline else np.array(own)
+        point = np.array((effect(state, INERTIA) or {}).get("center", (0.0, 0.0)))
+        if state.has_outline:
+            point = object_of(state).body.point_out(point)
         point[np.abs(point) < ROUNDING * state.size] = 0.0
         return [float(f"{x:.9g}") for x in point.tolist()]
 
@@ -221,7 +221,7 @@ def _views() -> dict[str, Field]:
         ),
         "handle": Field(
             buttons({}),
-            lambda state: state.handle if state.handle in handles_of(state) else Handle.PUSHER,
+            handle_of,
             lambda state, handle: replace(state, handle=handle),
             lambda state: {
                 "options": {handle.capitalize(): handle for handle in handles_of(state)},
@@ -258,9 +258,7 @@ def _motion() -> dict[str, Field]:
             number("Duration"),
             lambda state: state.duration,
             lambda state, value: _restart(state, duration=value),
-            lambda state: {
-                "label": f"Duration ({state.file.units.time})" if state.file.units else "Duration"
-            },
+            lambda state: {"label": _duration_name(state)},
         ),
         "policy": Field(
             select("Where several modes are possible", policies),

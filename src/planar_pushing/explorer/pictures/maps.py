@@ -192,7 +192,9 @@ KEPT = 8
 
 def _key_of(state: State) -> State:
     """A state without what its map does not depend on."""
-    return replace(state, angle=0.0, shown="", time=None, handle=Handle.PUSHER, several=None)
+    return replace(
+        state, angle=0.0, shown="", time=None, handle=Handle.PUSHER, unit="", several=None
+    )
 
 
 def quick_map(state: State) -> Map:
