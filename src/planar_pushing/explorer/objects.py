@@ -102,15 +102,11 @@ def _with_own_ring(effect: Any, radius: float) -> Any:
     return effect
 
 
-def with_object(
-    state: State,
-    outline: Outline,
-    effects: tuple[Any, ...],
-    place: Place | None,
-    side: int | None = None,
-) -> State:
-    """State with an object that is pushed at a place, or along a side that lies on the fence."""
-    point, normal = (None, None) if place is None else (place.point, place.normal)
+def with_object(state: State, outline: Outline, effects: tuple[Any, ...], place: Place) -> State:
+    """State with an object that is pushed at a place, or along its side if a side lies on the fence."""
+    point, normal, side = place.point, place.normal, None
+    if state.flush and outline.corners is not None:
+        point, normal, side = None, None, place.piece // 2  # rows of sides and corners alternate
     old = state.scene
     scene, _ = place_object(point, normal, side, effects, old.contact, outline, old.units)
     content = scene_entry(scene)
@@ -181,8 +177,7 @@ def with_outline(state: State, outline: Outline) -> State:
     support = even_support(outline)
     effects = tuple(_on_base(effect, support) for effect in state.scene.effects)
     place = _same_place(state, outline) or lowest_place(outline)
-    side = place.piece // 2 if state.flush and outline.corners is not None else None
-    changed = with_object(state, outline, effects, None if side is not None else place, side)
+    changed = with_object(state, outline, effects, place)
     options: dict[str, Any] = {"duration": duration(changed, state.magnitude)}
     if not state.has_outline:
         # The whole side would lie on a fence, and the contact is one point of it.

@@ -16,6 +16,7 @@ from planar_pushing.explorer.state import (
     effect,
     name_in,
     scale_support,
+    with_effect,
     with_support,
 )
 from planar_pushing.mechanics.entries import entry
@@ -102,11 +103,16 @@ def _is_base(support: Any, outline: Outline) -> bool:
 
 
 def with_named_support(state: State, name: str) -> State:
-    """State with the support of a name; within the outline, if there is one."""
+    """State with the support of a name; within the outline, if there is one.
+
+    Friction of a weight of 1 is added if there is none.
+    """
     if name == OWN:
         return state
     if not state.has_outline:
         return with_support(state, None if name == "ring" else gallery()[name])
+    if effect(state, EffectKind.SUPPORT_FRICTION) is None:
+        state = with_effect(state, EffectKind.SUPPORT_FRICTION, {"type": "ring_friction"})
     body = object_of(state)
     support = even_support(body.outline) if name == BASE else _support_in(body.outline, name)
     effects = tuple(

@@ -38,7 +38,7 @@ from planar_pushing.explorer.supports import (
     with_named_support,
 )
 from planar_pushing.explorer.view import table
-from planar_pushing.explorer.widgets import fields
+from planar_pushing.explorer.widgets import fields, with_kinds
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EffectKind
 
@@ -314,6 +314,19 @@ def test_a_support_lies_under_its_object_and_keeps_its_name(start, name):
     assert support_name(drag_handle(state, Handle.SIZE, np.array([0.5, 0.5]))) == name
 
 
+@pytest.mark.parametrize("start", ["box", "box_side"])
+def test_friction_that_returns_is_even_over_the_base(start):
+    state = preset(start)
+    smooth = with_kinds(
+        with_effect(state, EffectKind.INERTIA, {"type": "inertia"}), [EffectKind.INERTIA]
+    )
+    rough = with_kinds(smooth, [EffectKind.INERTIA, EffectKind.SUPPORT_FRICTION])
+    assert support_name(rough) == "base"
+    assert rough.scene.weight == 1.0
+    assert rough.flush == state.flush
+    assert support_name(with_named_support(smooth, "tripod")) == "tripod"
+
+
 def test_even_pressure_is_on_the_base_without_its_holes():
     square, hole = [(-2, -1), (2, -1), (2, 1), (-2, 1)], pp.Disc(0.5, center=(1.0, 0.0))
     state = with_outline(preset("figure_03"), pp.Outline(square, holes=[hole]))
@@ -354,6 +367,12 @@ def test_lengths_are_shown_in_another_unit():
     same = fields()["gyration"].write(state, 10.4)
     assert same.scene.masses[0].gyration_radius == pytest.approx(0.104)
     assert state_in(dict(parse_qsl(query(state)))) == state
+
+
+def test_the_radius_of_gyration_is_that_of_the_outline_without_a_number():
+    gyration = fields()["gyration"]
+    plate = gyration.write(replace(preset("box"), unit="cm"), None)
+    assert gyration.read(plate) == pytest.approx(100.0 * np.hypot(0.3, 0.2) / np.sqrt(12.0))
 
 
 def test_the_table_names_its_units():
