@@ -8,7 +8,7 @@ from planar_pushing.explorer.state import Handle, State
 
 #: Number of states that can be undone.
 KEPT = 200
-#: Seconds within which changes by one widget are one step, as of a slider that is dragged.
+#: Seconds within which changes by one widget are one step, such as those of a slider that is dragged.
 JOINED = 1.0
 
 

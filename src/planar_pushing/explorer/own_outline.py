@@ -166,7 +166,7 @@ def parse_corners(text: str) -> list[tuple[float, float]]:
     corners = [_parse_corner(number, entry) for number, entry in enumerate(entries, start=1)]
     if not 3 <= len(corners) <= MOST:
         raise InvalidValue(
-            "Corners", f"{len(corners)} of them", f"3 to {MOST} corners, in order around the object",
+            "Corners", len(corners), f"3 to {MOST} corners, in order around the object",
             "give x and y of each, one corner per line",
         )  # fmt: skip
     return corners

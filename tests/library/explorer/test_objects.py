@@ -240,9 +240,9 @@ def test_corners_are_entered_and_shown():
 
 
 @pytest.mark.parametrize(("text", "said"), [
-    ("", "Corners: '0 of them' given; allowed: 3 to 200 corners"),
-    ("0, 0; 1, 0", "Corners: '2 of them' given; allowed: 3 to 200 corners"),
-    ("0, 0\n" * 201, "Corners: '201 of them' given; allowed: 3 to 200 corners"),
+    ("", "Corners: 0 given; allowed: 3 to 200 corners"),
+    ("0, 0; 1, 0", "Corners: 2 given; allowed: 3 to 200 corners"),
+    ("0, 0\n" * 201, "Corners: 201 given; allowed: 3 to 200 corners"),
     ("0, 0\n1, 0\none, 1", "Corners: corner 3: 'one, 1' given; allowed: two finite numbers"),
     ("0, 0\n1, 0\n1", "Corners: corner 3: '1' given; allowed: two finite numbers"),
     ("0, 0\n1, 0, 0\n1, 1", "Corners: corner 2: '1, 0, 0' given; allowed: two finite numbers"),

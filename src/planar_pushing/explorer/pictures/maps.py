@@ -181,19 +181,27 @@ def maps(state: State) -> Iterator[Map]:
         fine = mode_map(state, size)
         _finest[_key_of(state)] = fine
         if len(_finest) > KEPT:
-            del _finest[next(iter(_finest))]
+            _finest.pop(next(iter(_finest)), None)
         yield fine
 
 
-#: The last fine maps, by their states.
+#: The last fine maps, by their states, and the number of them that are kept.
 _finest: dict[State, Map] = {}
 KEPT = 8
 
 
 def _key_of(state: State) -> State:
-    """A state without what its map does not depend on."""
+    """A state without the parts on which its map does not depend, such as the motion over time."""
+    file = state.file.model_copy(update={"simulate": None})
     return replace(
-        state, angle=0.0, shown="", time=None, handle=Handle.PUSHER, unit="", several=None
+        state,
+        file=file,
+        angle=0.0,
+        shown="",
+        time=None,
+        handle=Handle.PUSHER,
+        unit="",
+        several=None,
     )
 
 
