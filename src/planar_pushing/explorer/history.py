@@ -4,17 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from planar_pushing.explorer.state import Handle, State
+from planar_pushing.explorer.state import State, without_display
 
 #: Number of states that can be undone.
 KEPT = 200
 #: Seconds within which changes by one widget are one step, such as those of a slider that is dragged.
 JOINED = 1.0
-
-
-def essence(state: State) -> State:
-    """A state without what is only shown: the time, the handle, the solution, the map and the unit."""
-    return replace(state, time=None, handle=Handle.PUSHER, shown="", across="", unit="")
 
 
 class History:
@@ -27,7 +22,7 @@ class History:
 
     def note(self, before: State, after: State, source: str, seconds: float) -> None:
         """Note a change of the state at a time in seconds, made by the drag or the widget of this name."""
-        if essence(before) == essence(after):
+        if without_display(before) == without_display(after):
             return
         joins = source != "" and source == self._source and seconds - self._noted_at < JOINED
         if not (joins and self.past):

@@ -21,7 +21,6 @@ from planar_pushing.explorer.pictures.following import (
     FollowedMotion,
     follow,
     push_at,
-    push_to_follow,
     sentence_at,
     solution_at,
 )
@@ -40,7 +39,7 @@ from planar_pushing.explorer.pictures.pictures import (
     time_line_picture,
     time_picture,
 )
-from planar_pushing.explorer.state import Handle, State
+from planar_pushing.explorer.state import Handle, State, without_display
 from planar_pushing.mechanics.plane import Array, Frame
 from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.scenes.contacts_model import ContactsFile
@@ -176,7 +175,7 @@ def _instant(order: Order, time: float) -> View:
     content = {
         "scene": markup(instant_picture(motion, time), sheet_of(order.sizes["scene"], motion.box)),
         "words": sentence_at(motion, time),
-        "runs": _over_time(push_to_follow(state), order.sizes["time"]),
+        "runs": _over_time(without_display(state), order.sizes["time"]),
         "now": _markup(order, "time", time_line_picture(motion, time), TIME_BOX),
         "energies": energy_legend(any(run.flush for run in motion.runs)),
     }
