@@ -160,8 +160,11 @@ def _rim(content: dict[str, Any]) -> Array:
 
 
 def support_note(state: State) -> str:
-    """The technical name of the support."""
-    current = (effect(state, EffectKind.SUPPORT_FRICTION) or {}).get("support") or {"shape": "ring"}
+    """The name of the support in a scene file; that there is no friction, if there is none."""
+    friction = effect(state, EffectKind.SUPPORT_FRICTION)
+    if friction is None:
+        return "There is no friction on the support."
+    current = friction.get("support") or {"shape": "ring"}
     name = support_name(state)
     note = f"In a scene file: shape {current['shape']}"
     return f"{note}; in the gallery of supports: {name}." if name in LABELS else f"{note}."

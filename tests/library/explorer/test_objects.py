@@ -296,6 +296,7 @@ def test_every_support_has_a_name_that_says_what_it_is():
     assert support_note(preset("tripod")).endswith(
         "shape points; in the gallery of supports: tripod."
     )
+    assert support_note(preset("impact")) == "There is no friction on the support."
     assert "from the scene file" in support_names(preset("plate"))
     assert "even pressure over the base" not in support_names(preset("plate"))
     assert "even pressure over the base" in support_names(preset("box"))
