@@ -12,7 +12,7 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from pulling_by_pushing.figures.pages.numbers import NUMBERS, format_number
+from pulling_by_pushing.figures.pages.markdown import NUMBERS, format_number
 
 
 def tables(app_config: Config, source_folder: Path) -> Path:
