@@ -104,9 +104,9 @@ def _with_own_ring(effect: Any, radius: float) -> Any:
 
 def with_object(state: State, outline: Outline, effects: tuple[Any, ...], place: Place) -> State:
     """State with an object that is pushed at a place, or along its side if a side lies on the fence."""
-    point, normal, side = place.point, place.normal, None
-    if state.flush and outline.corners is not None:
-        point, normal, side = None, None, place.piece // 2  # rows of sides and corners alternate
+    on_fence = state.flush and outline.corners is not None
+    point, normal = (None, None) if on_fence else (place.point, place.normal)
+    side = place.piece // 2 if on_fence else None  # rows of sides and corners alternate
     old = state.scene
     scene, _ = place_object(point, normal, side, effects, old.contact, outline, old.units)
     content = scene_entry(scene)
