@@ -29,7 +29,7 @@ UPWARD = 0.7
 
 
 class Place(NamedTuple):
-    """A place on the exterior of an outline.
+    """A place on the exterior of an outline; lengths in the unit of the scene.
 
     Attributes
     ----------
@@ -51,12 +51,12 @@ class Place(NamedTuple):
 
 
 def perimeter(outline: Outline) -> float:
-    """Length of the exterior of an outline."""
+    """Length of the exterior of an outline, in the unit of the scene."""
     return float(outline.exterior.pieces[:, LENGTH].sum())
 
 
 def place_on(outline: Outline, piece: int, position: float) -> Place:
-    """Place on a side or an arc, at least a little from its ends."""
+    """Place on a side or an arc, at a distance from its start, and at least a little from both its ends."""
     rows = outline.exterior.pieces
     row = rows[piece]
     length = float(row[LENGTH])

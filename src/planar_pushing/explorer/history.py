@@ -4,17 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from planar_pushing.explorer.state import Handle, State
+from planar_pushing.explorer.state import State, without_display
 
 #: Number of states that can be undone.
 KEPT = 200
-#: Seconds within which changes by one widget are one step, as of a slider that is dragged.
+#: Seconds within which changes by one widget are one step, such as those of a slider that is dragged.
 JOINED = 1.0
-
-
-def essence(state: State) -> State:
-    """A state without what is only shown: the time, the handle, the solution, the map and the unit."""
-    return replace(state, time=None, handle=Handle.PUSHER, shown="", across="", unit="")
 
 
 class History:
@@ -23,16 +18,16 @@ class History:
     def __init__(self) -> None:
         self.past: list[State] = []
         self.future: list[State] = []
-        self._source, self._at = "", -JOINED
+        self._source, self._noted_at = "", -JOINED
 
-    def note(self, before: State, after: State, source: str, now: float) -> None:
+    def note(self, before: State, after: State, source: str, seconds: float) -> None:
         """Note a change of the state at a time in seconds, made by the drag or the widget of this name."""
-        if essence(before) == essence(after):
+        if without_display(before) == without_display(after):
             return
-        joins = source != "" and source == self._source and now - self._at < JOINED
+        joins = source != "" and source == self._source and seconds - self._noted_at < JOINED
         if not (joins and self.past):
             self.past = [*self.past, before][-KEPT:]
-        self._source, self._at, self.future = source, now, []
+        self._source, self._noted_at, self.future = source, seconds, []
 
     def rest(self) -> None:
         """End the step, so that the next change is one of its own."""

@@ -47,7 +47,7 @@ def _outline_fields() -> dict[str, Field]:
     width, height, diameter = number("Width"), number("Height"), number("Diameter")
     corners = pn.widgets.TextAreaInput(
         label="Corners: x, y", rows=6, margin=(2, 6), sizing_mode="stretch_width",
-        placeholder="x, y: a line a corner",
+        placeholder="x, y: one corner per line",
     )  # fmt: skip
     return {
         "outline": Field(
@@ -57,16 +57,16 @@ def _outline_fields() -> dict[str, Field]:
         "width": Field(
             width, lambda state: sides_of(state)[0],
             lambda state, value: with_box(state, value, sides_of(state)[1]),
-            lambda state: _length_of(state, "Width", BOX),
+            lambda state: _entry_of_length(state, "Width", BOX),
         ),
         "height": Field(
             height, lambda state: sides_of(state)[1],
             lambda state, value: with_box(state, sides_of(state)[0], value),
-            lambda state: _length_of(state, "Height", BOX),
+            lambda state: _entry_of_length(state, "Height", BOX),
         ),
         "diameter": Field(
             diameter, lambda state: sides_of(state)[0], with_diameter,
-            lambda state: _length_of(state, "Diameter", DISC),
+            lambda state: _entry_of_length(state, "Diameter", DISC),
         ),
         "corners": Field(
             corners, corners_text, with_corners,
@@ -77,8 +77,8 @@ def _outline_fields() -> dict[str, Field]:
     }  # fmt: skip
 
 
-def _length_of(state: State, name: str, kind: str) -> dict[str, Any]:
-    """Name of a length of an outline of a kind; it is hidden for others."""
+def _entry_of_length(state: State, name: str, kind: str) -> dict[str, Any]:
+    """Name of a field for a length of an outline of one kind; the field is hidden for others."""
     return {"visible": kind_of(state) == kind, "label": label(name, state)}
 
 
@@ -113,7 +113,7 @@ def _rod_fields() -> dict[str, Field]:
             lambda state, value: with_rod(
                 state, value / factor(state), state.file.slider.rod_angle
             ),
-            lambda state: _length(length, state, "Rod length"),
+            lambda state: _slider_of_length(length, state, "Rod length"),
         ),
         "rod_angle": Field(
             slide("Rod angle (degrees)", *ROD_ANGLES, 0.5),
@@ -124,7 +124,7 @@ def _rod_fields() -> dict[str, Field]:
     }
 
 
-def _length(widget: Any, state: State, name: str) -> dict[str, Any]:
+def _slider_of_length(widget: Any, state: State, name: str) -> dict[str, Any]:
     """Range and name of a slider for a length of a scene without an outline."""
     length = factor(state) * max(state.file.slider.rod_length, state.size)
     return room(widget, length) | {
@@ -142,7 +142,7 @@ def _support_fields() -> dict[str, Field]:
         "size": Field(
             size, lambda state: state.size * factor(state),
             lambda state, value: with_size(state, value / factor(state)),
-            lambda state: _length(size, state, "Support size"),
+            lambda state: _slider_of_length(size, state, "Support size"),
         ),
     }  # fmt: skip
 

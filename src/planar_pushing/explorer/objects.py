@@ -22,10 +22,18 @@ from planar_pushing.explorer.state import (
 from planar_pushing.mechanics.effects import Inertia, RingFriction, SupportFriction
 from planar_pushing.mechanics.entries import scene_entry
 from planar_pushing.mechanics.outline import Outline
-from planar_pushing.mechanics.outline.chains import LENGTH, RHO, START, X, Y
+from planar_pushing.mechanics.outline.chains import (
+    LENGTH,
+    RHO,
+    START,
+    X,
+    Y,
+    sample_chain,
+    split_chains,
+)
 from planar_pushing.mechanics.outline.entries import OUTLINE
 from planar_pushing.mechanics.outline.outline import outline_of_pieces
-from planar_pushing.mechanics.plane import Frame, direction
+from planar_pushing.mechanics.plane import Array, Frame, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Disc, Polygon, Ring
 from planar_pushing.objects.scene_at import place_object
@@ -59,7 +67,7 @@ class PushedObject(NamedTuple):
 
 
 def frame_in_object(scene: Scene, origin: Any, axis: Any) -> Frame:
-    """A frame of the fence frame, expressed in the object's frame."""
+    """A frame in the object's frame; its origin and its axis x are given in the fence frame."""
     x, y = scene.to_object(origin, "point").tolist()
     a, b = scene.to_object(axis, "vector").tolist()
     return Frame((x, y), (a, b))
@@ -75,33 +83,30 @@ def object_of(state: State) -> PushedObject:
     fence = frame_in_object(scene, (0.0, 0.0), (1.0, 0.0))
     outline = slider.outline_in_body()
     assert outline is not None, "only states with an outline have an object"
-    whole = outline.in_frame(body.inverse)
+    outline = outline.in_frame(body.inverse)
     effects = tuple(
         _with_own_ring(effect, slider.radius).in_frames(body.inverse, fence.inverse)
         for effect in scene.effects
     )
-    return PushedObject(whole, effects, nearest_to(whole, np.array(fence.origin)), fence, body)
+    place = nearest_to(outline, np.array(fence.origin))
+    return PushedObject(outline, effects, place, fence, body)
 
 
 def _with_own_ring(effect: Any, radius: float) -> Any:
     """An effect whose ring has its radius."""
     if isinstance(effect, RingFriction):
         return SupportFriction(weight=effect.weight, support=Ring(radius))
-    own = isinstance(effect, SupportFriction) and isinstance(effect.support, Ring)
-    if own and effect.support.radius is None:
+    on_ring = isinstance(effect, SupportFriction) and isinstance(effect.support, Ring)
+    if on_ring and effect.support.radius is None:
         return replace(effect, support=Ring(radius))
     return effect
 
 
-def with_object(
-    state: State,
-    outline: Outline,
-    effects: tuple[Any, ...],
-    place: Place | None,
-    side: int | None = None,
-) -> State:
-    """State with an object that is pushed at a place, or along a side that lies on the fence."""
-    point, normal = (None, None) if place is None else (place.point, place.normal)
+def with_object(state: State, outline: Outline, effects: tuple[Any, ...], place: Place) -> State:
+    """State with an object that is pushed at a place, or along its side if a side lies on the fence."""
+    on_fence = state.flush and outline.corners is not None
+    point, normal = (None, None) if on_fence else (place.point, place.normal)
+    side = place.piece // 2 if on_fence else None  # rows of sides and corners alternate
     old = state.scene
     scene, _ = place_object(point, normal, side, effects, old.contact, outline, old.units)
     content = scene_entry(scene)
@@ -116,14 +121,18 @@ def with_contact(state: State, place: Place) -> State:
 
 
 def with_object_size(state: State, ratio: float) -> State:
-    """State with a larger or smaller object, whose contact, mass and supports are scaled with it."""
-    whole = state.scene.slider.outline_in_body()
-    assert whole is not None, "only states with an outline have an object"
+    """State with an object whose lengths are multiplied by a ratio.
+
+    The contact, the center of mass, the radius of gyration and the supports are scaled with the outline;
+    the mass and the weight stay.
+    """
+    outline = state.scene.slider.outline_in_body()
+    assert outline is not None, "only states with an outline have an object"
     slider = state.file.slider.model_dump(exclude_none=True)
     slider |= {name: slider[name] * ratio for name in ("rod_length", "radius") if name in slider}
     if "side" in slider:
         slider["side"] = [ratio * end for end in slider["side"]]
-    pieces = whole.pieces.copy()
+    pieces = outline.pieces.copy()
     pieces[:, SCALED] *= ratio
     slider["outline"] = OUTLINE.to_file(outline_of_pieces(pieces))
     parts = {
@@ -149,26 +158,26 @@ def _scaled_effect(entry: dict[str, Any], ratio: float) -> dict[str, Any]:
 
 
 def even_support(outline: Outline) -> Any:
-    """Uniform pressure over the whole base of an object."""
-    pieces = outline.exterior.pieces
-    if len(pieces) == 1:
-        x, y, radius = pieces[0, :3].tolist()
+    """Uniform pressure over the whole base of an object, without its holes."""
+    if len(outline.pieces) == 1:
+        x, y, radius = outline.pieces[0, :3].tolist()
         return Disc(radius, center=(x, y))
-    return Polygon(outline.vertices(FINE * outline.size))
+    chains = split_chains(outline.pieces)
+    vertices, *holes = (sample_chain(chain, FINE * outline.size) for chain in chains)
+    return Polygon(vertices, holes=holes)
 
 
 def with_outline(state: State, outline: Outline) -> State:
     """State with an object of this outline, with even pressure over its base.
 
-    The contact stays at its place if the new outline has as many pieces as the old one, such as a box of
-    another size; otherwise it is at the middle of the lowest side. The push is then followed for as long as
-    it takes to cover its distance; an object that had no outline is pushed by a finger from below.
+    The contact stays at its place if the new outline has the same kinds of pieces as the old one, such as a
+    box of another size; otherwise it is at the middle of the lowest side. The push is then followed for as
+    long as it takes to cover its distance; an object that had no outline is pushed by a finger from below.
     """
     support = even_support(outline)
     effects = tuple(_on_base(effect, support) for effect in state.scene.effects)
     place = _same_place(state, outline) or lowest_place(outline)
-    side = place.piece // 2 if state.flush and outline.corners is not None else None
-    changed = with_object(state, outline, effects, None if side is not None else place, side)
+    changed = with_object(state, outline, effects, place)
     options: dict[str, Any] = {"duration": duration(changed, state.magnitude)}
     if not state.has_outline:
         # The whole side would lie on a fence, and the contact is one point of it.
@@ -178,7 +187,10 @@ def with_outline(state: State, outline: Outline) -> State:
 
 
 def _on_base(effect: Any, support: Any) -> Any:
-    """An effect on another base: its weight and its mass stay, its support and its centers do not."""
+    """An effect on another base: its weight or its mass stays.
+
+    The support is the base, and the center of mass and the radius of gyration are those of the base.
+    """
     if isinstance(effect, RingFriction):
         return SupportFriction(weight=effect.weight, support=support)
     if isinstance(effect, Inertia):
@@ -192,10 +204,16 @@ def _same_place(state: State, outline: Outline) -> Place | None:
         return None
     body = object_of(state)
     old, new = body.outline.exterior.pieces, outline.exterior.pieces
-    if len(old) != len(new):
+    if not np.array_equal(_kinds_of(old), _kinds_of(new)):
         return None
     fraction = body.place.position / old[body.place.piece, LENGTH]
     return place_on(outline, body.place.piece, float(fraction * new[body.place.piece, LENGTH]))
+
+
+def _kinds_of(pieces: Array) -> Array:
+    """Kinds of the pieces of an outline: 0 for a corner, 1 for a side, 2 for an arc; shape (n,)."""
+    rho = pieces[:, RHO]
+    return np.select([rho == 0.0, np.isinf(rho)], [0, 1], 2)
 
 
 def without_outline(state: State) -> State:

@@ -7,7 +7,7 @@ from typing import Any
 
 from planar_pushing.explorer.lengths import factor
 from planar_pushing.explorer.objects import object_of, with_outline, without_outline
-from planar_pushing.explorer.state import State
+from planar_pushing.explorer.state import ROUNDING, State
 from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.outline.outline import require_outline
 from planar_pushing.mechanics.outline.plate import bounds
@@ -63,12 +63,11 @@ def extent(outline: Outline) -> tuple[tuple[float, float], tuple[float, float]]:
 
 def sides_of(state: State) -> tuple[float, float]:
     """Width and height of the object in the unit of the page; those of its support without an outline."""
-    if not state.has_outline:
-        return _round(2.0 * state.size * factor(state)), _round(
-            2.0 * FLAT * state.size * factor(state)
-        )
-    (x0, y0), (x1, y1) = extent(object_of(state).outline)
-    return _round((x1 - x0) * factor(state)), _round((y1 - y0) * factor(state))
+    width, height = 2.0 * state.size, 2.0 * FLAT * state.size
+    if state.has_outline:
+        (x0, y0), (x1, y1) = extent(object_of(state).outline)
+        width, height = x1 - x0, y1 - y0
+    return _round(width * factor(state)), _round(height * factor(state))
 
 
 def _round(value: float) -> float:
@@ -96,7 +95,7 @@ def with_box(state: State, width: Any, height: Any) -> State:
     _require_length("Height", height)
     if not 1.0 / SLENDER <= width / height <= SLENDER:
         allowed = (
-            f"from {height / SLENDER:.6g} to {height * SLENDER:.6g} beside a height of {height:.6g}"
+            f"from {height / SLENDER:.6g} to {height * SLENDER:.6g} for a height of {height:.6g}"
         )
         raise InvalidValue("Width", width, allowed, "give a box that is less slender")
     return with_outline(state, _box(state, width, height))
@@ -139,13 +138,13 @@ def corners_text(state: State) -> str:
     """Corners of the object, a line each, in its own frame and in the unit of the page."""
     if not state.has_outline:
         return ""
-    corners = object_of(state).outline.corners or ()
-    scale = factor(state)
-    return "\n".join(f"{_tidy(x * scale)}, {_tidy(y * scale)}" for x, y in corners)
-
-
-def _tidy(value: float) -> str:
-    return f"{_round(value) + 0.0:g}" if abs(value) > 1e-12 else "0"
+    outline = object_of(state).outline
+    smallest, scale = ROUNDING * outline.size, factor(state)
+    lines = [
+        [f"{x * scale:.{DIGITS}g}" if abs(x) > smallest else "0" for x in corner]
+        for corner in outline.corners or ()
+    ]
+    return "\n".join(map(", ".join, lines))
 
 
 def with_corners(state: State, text: str) -> State:
@@ -167,8 +166,8 @@ def parse_corners(text: str) -> list[tuple[float, float]]:
     corners = [_parse_corner(number, entry) for number, entry in enumerate(entries, start=1)]
     if not 3 <= len(corners) <= MOST:
         raise InvalidValue(
-            "Corners", f"{len(corners)} of them", f"3 to {MOST} corners, in order around the object",
-            "give x and y of each, a line a corner",
+            "Corners", len(corners), f"3 to {MOST} corners, in order around the object",
+            "give x and y of each, one corner per line",
         )  # fmt: skip
     return corners
 

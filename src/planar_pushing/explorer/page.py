@@ -191,9 +191,11 @@ class Page:
             self.put(state)
 
     def step(self, move: Callable[[State], State | None]) -> None:
-        """Undo or redo a step, if there is one."""
+        """Undo or redo a step, if there is one; not during a drag."""
+        if self.pointing.held:
+            return
         state = move(self.state)
-        if state is not None and not self.pointing.held:
+        if state is not None:
             self.say("")
             self._stop_player()
             self.put(state)

@@ -67,11 +67,11 @@ class Pointing:
             sheet = sheet_of(self.page.sizes[picture], self.page.box)
             spots = place_handles(handles.handle_positions(state, self.page.force), sheet)
             handle = nearest_spot(spots, pixel)
-            self.grip = None if handle is None else Held(handle, spots[handle].offset)
         if picture in ("map", "time"):
             self.held = picture
         elif handle is not None and state.time is None:
             self.held = picture
+            self.grip = Held(handle, spots[handle].offset) if picture == "scene" else None
             self.page.change(lambda state: replace(state, handle=handle))
             self.grabbed = self.page.state
         if picture != "scene":
@@ -81,8 +81,8 @@ class Pointing:
         motion = self.page.view.motion
         if self.held in ("scene", "curve") and self.grabbed is not None:
             state = self.grabbed
-            grip = self.grip.offset if self.grip is not None else (0.0, 0.0)
-            position = self._position(picture, pixel - grip)
+            offset = (0.0, 0.0) if self.grip is None else self.grip.offset
+            position = self._position(picture, pixel - offset)
             self.page.change(
                 lambda _: handles.drag_handle(state, state.handle, position), source="drag"
             )

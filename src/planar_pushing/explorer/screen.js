@@ -73,7 +73,7 @@ export function render({model}) {
 
   // Fields with text undo their own letters.
   const writes = (element) => element && (element.shadowRoot && element.shadowRoot.activeElement
-    ? writes(element.shadowRoot.activeElement) : element.matches("textarea, input:not([type=range])"))
+    ? writes(element.shadowRoot.activeElement) : element.matches("textarea, input:not([type=range]):not([type=checkbox])"))
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey || writes(document.activeElement)) return
     const key = event.key.toLowerCase()

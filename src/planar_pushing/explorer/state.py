@@ -137,6 +137,11 @@ def wrap_angle(angle: float) -> float:
     return 180.0 - (180.0 - angle) % 360.0
 
 
+def without_display(state: State) -> State:
+    """State without what is only shown: the time, the handle, the solution, the map, and the unit."""
+    return replace(state, time=None, handle=Handle.PUSHER, shown="", across="", unit="")
+
+
 def with_entries(state: State, **parts: Any) -> State:
     """State with changed entries of its file, back at the push and without choices over time."""
     content = state.file.model_dump(exclude_none=True)

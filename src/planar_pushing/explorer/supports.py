@@ -16,6 +16,7 @@ from planar_pushing.explorer.state import (
     effect,
     name_in,
     scale_support,
+    with_effect,
     with_support,
 )
 from planar_pushing.mechanics.entries import entry
@@ -24,11 +25,12 @@ from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.plane import Array, Frame, direction
 from planar_pushing.mechanics.supports import SHAPES, Polygon
 from planar_pushing.mechanics.supports.base import support_in_frame
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EffectKind
 
 #: Names of the supports of the gallery on the page.
 LABELS = {
-    "ring": "ring, as the rim of a cup",
+    "ring": "ring, like the rim of a cup",
     "disc": "even pressure, round base",
     "square": "even pressure, square base",
     "rectangle_2_1": "even pressure, base of 2 by 1",
@@ -85,26 +87,32 @@ def _without_rounding(content: dict[str, Any], size: float) -> dict[str, Any]:
 
 
 def _is_base(support: Any, outline: Outline) -> bool:
-    """Whether a support is even pressure over the whole outline."""
+    """Whether a support is even pressure over the whole outline, without its holes."""
     base = even_support(outline)
     if type(support) is not type(base):
         return False
     if not isinstance(support, Polygon):
         apart = np.subtract((support.radius, *support.center), (base.radius, *base.center))
         return bool(np.abs(apart).max() <= outline.tolerance)
-    if support.holes or len(support.vertices) != len(base.vertices):
+    rings, base_rings = ((polygon.vertices, *polygon.holes) for polygon in (support, base))
+    if list(map(len, rings)) != list(map(len, base_rings)):
         return False
-    one, two = np.array(support.vertices), np.array(base.vertices)
+    one, two = np.concatenate(rings), np.concatenate(base_rings)
     apart = np.abs(one[:, None] - two).max(axis=-1).min(axis=1)
     return bool(apart.max() <= outline.tolerance)
 
 
 def with_named_support(state: State, name: str) -> State:
-    """State with the support of a name; within the outline, if there is one."""
+    """State with the support of a name; within the outline, if there is one.
+
+    Friction of a weight of 1 is added if there is none.
+    """
     if name == OWN:
         return state
     if not state.has_outline:
         return with_support(state, None if name == "ring" else gallery()[name])
+    if effect(state, EffectKind.SUPPORT_FRICTION) is None:
+        state = with_effect(state, EffectKind.SUPPORT_FRICTION, {"type": "ring_friction"})
     body = object_of(state)
     support = even_support(body.outline) if name == BASE else _support_in(body.outline, name)
     effects = tuple(
@@ -116,8 +124,19 @@ def with_named_support(state: State, name: str) -> State:
 
 @lru_cache(maxsize=32)
 def _support_in(outline: Outline, name: str) -> Any:
-    """A support of the gallery about the centroid of an outline, within it."""
+    """A support of the gallery about the centroid of an outline, within it.
+
+    Raises
+    ------
+    InvalidValue
+        If the centroid is not within the outline, as that of a thin L.
+    """
     x, y = outline.centroid
+    if nearest_place(outline, np.array([(x, y)])).gap[0] >= 0.0:
+        raise InvalidValue(
+            "Support", LABELS[name], f"{OTHERS[BASE]}, because the centroid is not within the outline",
+            "take that one, or give a support in a scene file",
+        )  # fmt: skip
     low, high = 0.0, outline.size
     for _ in range(HALVINGS):
         middle = (low + high) / 2.0
@@ -141,8 +160,11 @@ def _rim(content: dict[str, Any]) -> Array:
 
 
 def support_note(state: State) -> str:
-    """The technical name of the support."""
-    current = (effect(state, EffectKind.SUPPORT_FRICTION) or {}).get("support") or {"shape": "ring"}
+    """The name of the support in a scene file; that there is no friction, if there is none."""
+    friction = effect(state, EffectKind.SUPPORT_FRICTION)
+    if friction is None:
+        return "There is no friction on the support."
+    current = friction.get("support") or {"shape": "ring"}
     name = support_name(state)
     note = f"In a scene file: shape {current['shape']}"
     return f"{note}; in the gallery of supports: {name}." if name in LABELS else f"{note}."

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from planar_pushing.drawing.canvas.colors import ENERGIES, MODES, look_of
-from planar_pushing.drawing.canvas.marks import Picture, Sheet
+from planar_pushing.drawing.canvas.marks import Picture, Positions, Sheet
 from planar_pushing.drawing.words import outcome, row
 from planar_pushing.explorer import several
 from planar_pushing.explorer.lengths import factor, headings
@@ -21,10 +21,10 @@ from planar_pushing.explorer.pictures.following import (
     FollowedMotion,
     follow,
     push_at,
-    push_to_follow,
     sentence_at,
     solution_at,
 )
+from planar_pushing.explorer.pictures.handles import handle_of
 from planar_pushing.explorer.pictures.layout import Held, markup_of_handles
 from planar_pushing.explorer.pictures.pictures import (
     TIME_BOX,
@@ -39,8 +39,7 @@ from planar_pushing.explorer.pictures.pictures import (
     time_line_picture,
     time_picture,
 )
-from planar_pushing.explorer.pictures.turned import TurnedSheet
-from planar_pushing.explorer.state import Handle, State
+from planar_pushing.explorer.state import Handle, State, without_display
 from planar_pushing.mechanics.plane import Array, Frame
 from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.scenes.contacts_model import ContactsFile
@@ -50,6 +49,31 @@ POINT = 1.55, 1.25, 1 / 450
 #: Padding around a picture in points.
 PAD = 10.0
 AT_START = "of the push at the start"
+
+
+class TurnedSheet(Sheet):
+    """A sheet of a picture in another frame.
+
+    The object rests on the sheet while its contact is dragged, although the picture, whose origin is the
+    contact, moves and turns.
+    """
+
+    frame: Frame
+
+    @classmethod
+    def of(cls, sheet: Sheet, frame: Frame) -> TurnedSheet:
+        """Sheet that shows a picture in a frame, which is expressed in the frame of the given sheet."""
+        turned = cls(*sheet)
+        turned.frame = frame
+        return turned
+
+    def to_sheet(self, positions: Positions) -> Array:
+        """Positions on the sheet, y downward from its upper left corner."""
+        return super().to_sheet(self.frame.point_out(positions))
+
+    def to_scene(self, positions: Positions) -> Array:
+        """Positions in the scene of positions on the sheet."""
+        return self.frame.point_in(super().to_scene(positions))
 
 
 class Order(NamedTuple):
@@ -119,7 +143,7 @@ def sheet_of_push(order: Order) -> Sheet:
 def _push(order: Order) -> View:
     push = solve_push(order.state)
     sheet = sheet_of_push(order)
-    circles = markup_of_handles(spots_of(push, sheet, order.held), push.state.handle)
+    circles = markup_of_handles(spots_of(push, sheet, order.held), handle_of(push.state))
     content = {
         "scene": markup(push_picture(push, sheet, order.held), sheet, circles),
         "words": outcome(push.solutions, push.sketch.pusher, push.chosen),
@@ -151,7 +175,7 @@ def _instant(order: Order, time: float) -> View:
     content = {
         "scene": markup(instant_picture(motion, time), sheet_of(order.sizes["scene"], motion.box)),
         "words": sentence_at(motion, time),
-        "runs": _over_time(push_to_follow(state), order.sizes["time"]),
+        "runs": _over_time(without_display(state), order.sizes["time"]),
         "now": _markup(order, "time", time_line_picture(motion, time), TIME_BOX),
         "energies": energy_legend(any(run.flush for run in motion.runs)),
     }

@@ -13,12 +13,11 @@ from planar_pushing.explorer.field import Field, buttons, number, select, slide
 from planar_pushing.explorer.lengths import factor, label
 from planar_pushing.explorer.object_fields import object_fields
 from planar_pushing.explorer.objects import object_of
-from planar_pushing.explorer.pictures.handles import handles_of
+from planar_pushing.explorer.pictures.handles import handle_of, handles_of
 from planar_pushing.explorer.pictures.maps import AXES, axes_of, axis_of
 from planar_pushing.explorer.state import (
     MAGNITUDES,
     ROUNDING,
-    Handle,
     Start,
     State,
     effect,
@@ -28,6 +27,7 @@ from planar_pushing.explorer.state import (
     with_push,
     with_simulation,
 )
+from planar_pushing.explorer.supports import BASE, with_named_support
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.terms.options import EffectKind, Policy, Shape
 
@@ -65,7 +65,10 @@ def kinds(state: State) -> list[EffectKind]:
 
 
 def with_kinds(state: State, active: list[EffectKind]) -> State:
-    """State with these kinds of effects; new ones are added first because at least one must remain."""
+    """State with these kinds of effects; new ones are added first because at least one must remain.
+
+    New friction is that of a ring, or of even pressure over the base of an object with an outline.
+    """
     fresh: dict[EffectKind, dict[str, Any]] = {
         FRICTION: {"type": "ring_friction"},
         INERTIA: {"type": "inertia", "gyration_radius": state.size},
@@ -75,6 +78,8 @@ def with_kinds(state: State, active: list[EffectKind]) -> State:
             state = with_effect(state, kind, None)
         elif effect(state, kind) is None:
             state = with_effect(state, kind, fresh[kind])
+            if kind == FRICTION and state.has_outline:
+                state = with_named_support(state, BASE)
     return state
 
 
@@ -161,39 +166,47 @@ def _effects() -> dict[str, Field]:
         "effects": Field(boxes, kinds, with_kinds),
         "weight": _part("Friction W", FRICTION, "weight"),
         "mass": _part("Mass m", INERTIA, "mass"),
-        "gyration": _part("Gyration radius", INERTIA, "gyration_radius", is_length=True),
+        "gyration": _gyration("Gyration radius"),
         "mass_x": _center("Mass center, x", 0),
         "mass_y": _center("Mass center, y", 1),
     }
 
 
-def _part(name: str, kind: EffectKind, key: str, is_length: bool = False) -> Field:
+def _part(name: str, kind: EffectKind, key: str) -> Field:
     """Field for a number of an effect."""
-
-    def scale(state: State) -> float:
-        return factor(state) if is_length else 1.0
-
-    def write(state: State, value: Any) -> State:
-        changed = value if value is None else value / scale(state)
-        return with_effect(state, kind, (effect(state, kind) or {}) | {key: changed})
-
     return Field(
         number(name),
-        lambda state: float((effect(state, kind) or {}).get(key, 1.0)) * scale(state),
-        write,
-        lambda state: {
-            "disabled": effect(state, kind) is None,
-            **({"label": label(name, state)} if is_length else {}),
-        },
+        lambda state: float((effect(state, kind) or {}).get(key, 1.0)),
+        lambda state, value: with_effect(state, kind, (effect(state, kind) or {}) | {key: value}),
+        lambda state: {"disabled": effect(state, kind) is None},
     )
+
+
+def _gyration(name: str) -> Field:
+    """Field for the radius of gyration; by default it is that of a plate in the shape of the outline."""
+
+    def read(state: State) -> float:
+        masses = state.scene.masses
+        return factor(state) * float(masses[0].gyration_radius if masses else 1.0)
+
+    def write(state: State, value: Any) -> State:
+        length = value if value is None else value / factor(state)
+        entry = (effect(state, INERTIA) or {}) | {"gyration_radius": length}
+        return with_effect(state, INERTIA, entry)
+
+    return Field(
+        number(name), read, write,
+        lambda state: {"disabled": effect(state, INERTIA) is None, "label": label(name, state)},
+    )  # fmt: skip
 
 
 def _center(name: str, part: int) -> Field:
     """Field for a coordinate of the center of mass, in the object's frame if it has an outline."""
 
     def center(state: State) -> list[float]:
-        own = (effect(state, INERTIA) or {}).get("center", (0.0, 0.0))
-        point = object_of(state).body.point_out(own) if state.has_outline else np.array(own)
+        point = np.array((effect(state, INERTIA) or {}).get("center", (0.0, 0.0)))
+        if state.has_outline:
+            point = object_of(state).body.point_out(point)
         point[np.abs(point) < ROUNDING * state.size] = 0.0
         return [float(f"{x:.9g}") for x in point.tolist()]
 
@@ -221,7 +234,7 @@ def _views() -> dict[str, Field]:
         ),
         "handle": Field(
             buttons({}),
-            lambda state: state.handle if state.handle in handles_of(state) else Handle.PUSHER,
+            handle_of,
             lambda state, handle: replace(state, handle=handle),
             lambda state: {
                 "options": {handle.capitalize(): handle for handle in handles_of(state)},
@@ -258,9 +271,7 @@ def _motion() -> dict[str, Field]:
             number("Duration"),
             lambda state: state.duration,
             lambda state, value: _restart(state, duration=value),
-            lambda state: {
-                "label": f"Duration ({state.file.units.time})" if state.file.units else "Duration"
-            },
+            lambda state: {"label": _duration_name(state)},
         ),
         "policy": Field(
             select("Where several modes are possible", policies),

@@ -1,10 +1,12 @@
 """Undo and redo."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
 from planar_pushing.explorer.history import JOINED, KEPT, History
+from planar_pushing.explorer.page import Page
 from planar_pushing.explorer.presets import preset
 from planar_pushing.explorer.state import Handle, with_push
 
@@ -31,6 +33,14 @@ def test_a_new_step_forgets_those_undone():
     history.note(START, FARTHER, "", 1.0)
     assert history.redo(FARTHER) is None
     assert history.undo(FARTHER) == START
+
+
+def test_no_step_is_undone_during_a_drag():
+    history = History()
+    history.note(START, TURNED, "", 0.0)
+    page = SimpleNamespace(state=TURNED, pointing=SimpleNamespace(held="scene"))
+    Page.step(page, history.undo)
+    assert history.undo(TURNED) == START
 
 
 def test_a_drag_is_one_step():

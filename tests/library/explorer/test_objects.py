@@ -8,7 +8,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.explorer.address import query, state_in
-from planar_pushing.explorer.boundary import lowest_place, nearest_to, perimeter, place_at
+from planar_pushing.explorer.boundary import lowest_place, nearest_to, perimeter, place_at, place_on
 from planar_pushing.explorer.lengths import label, note, shown_unit
 from planar_pushing.explorer.objects import object_of, with_contact, with_object_size, with_outline
 from planar_pushing.explorer.own_outline import (
@@ -38,7 +38,7 @@ from planar_pushing.explorer.supports import (
     with_named_support,
 )
 from planar_pushing.explorer.view import table
-from planar_pushing.explorer.widgets import fields
+from planar_pushing.explorer.widgets import fields, with_kinds
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EffectKind
 
@@ -125,8 +125,14 @@ def test_keys_move_a_contact_along_the_outline_and_past_corners():
         state = nudge_handle(state, None, 1, 0, False)
         lengths.append(object_of(state).place.length)
     assert (np.diff(lengths) > 0.0).sum() == len(lengths) - 2  # it passes the first corner once
-    back = nudge_handle(nudge_handle(preset("box"), None, 0, 0, False), None, 0, 0, False)
-    assert back.file.slider.outline is not None
+    back = nudge_handle(nudge_handle(state, None, 0, 1, True), None, -1, 0, True)
+    assert object_of(back).place.length == pytest.approx(lengths[-1])
+
+
+def test_a_handle_that_an_object_does_not_have_is_the_pusher_for_the_keys():
+    state = replace(preset("box"), handle=Handle.ROD)
+    assert fields()["handle"].read(state) == Handle.PUSHER
+    assert nudge_handle(state, None, 1, 0, False).angle == pytest.approx(state.angle - 1.0)
 
 
 def test_walls_stay_with_the_outline():
@@ -171,6 +177,13 @@ def test_the_size_of_an_object_follows_its_handle():
     assert drag_handle(state, Handle.SIZE, -corner).size > 0.0
 
 
+def test_keys_up_and_down_change_the_size_of_an_object():
+    state = replace(preset("box"), handle=Handle.SIZE)
+    assert sides_of(nudge_handle(state, None, 0, 1, False)) == pytest.approx((0.306, 0.204))
+    assert sides_of(nudge_handle(state, None, 0, -1, True)) == pytest.approx((0.24, 0.16))
+    assert nudge_handle(state, None, 1, 0, False) == state
+
+
 # -- own outlines ------------------------------------------------------------------------------------
 
 
@@ -196,6 +209,22 @@ def test_a_box_has_the_width_and_the_height_that_are_entered():
     assert pp.solve(state.scene, np.pi / 2, 1.0)[0].twist == pytest.approx([0.0, 1.0, 0.0])
 
 
+def test_a_contact_on_an_arc_has_no_place_on_a_box():
+    """A box with round corners has as many pieces as one with sharp corners, which have no length."""
+    state = preset("rounded_box")
+    outline = object_of(state).outline
+    box = with_kind(with_contact(state, place_on(outline, 1, 0.02)), BOX)
+    assert kind_of(box) == BOX
+    assert object_of(box).place.point == pytest.approx((0.0, -0.1))
+
+
+def test_corners_are_shown_without_rounding_errors():
+    state = with_corners(preset("figure_03"), "0, 0; 3e7, 0; 3e7, 1e7; 1e7, 1e7; 1e7, 2e7; 0, 2e7")
+    outline = object_of(state).outline
+    moved = with_contact(state, place_at(outline, 0.4 * perimeter(outline)))
+    assert corners_text(moved) == corners_text(state)
+
+
 def test_corners_are_entered_and_shown():
     state = with_corners(preset("figure_03"), ELL)
     assert kind_of(state) == CORNERS
@@ -211,9 +240,9 @@ def test_corners_are_entered_and_shown():
 
 
 @pytest.mark.parametrize(("text", "said"), [
-    ("", "Corners: '0 of them' given; allowed: 3 to 200 corners"),
-    ("0, 0; 1, 0", "Corners: '2 of them' given; allowed: 3 to 200 corners"),
-    ("0, 0\n" * 201, "Corners: '201 of them' given; allowed: 3 to 200 corners"),
+    ("", "Corners: 0 given; allowed: 3 to 200 corners"),
+    ("0, 0; 1, 0", "Corners: 2 given; allowed: 3 to 200 corners"),
+    ("0, 0\n" * 201, "Corners: 201 given; allowed: 3 to 200 corners"),
     ("0, 0\n1, 0\none, 1", "Corners: corner 3: 'one, 1' given; allowed: two finite numbers"),
     ("0, 0\n1, 0\n1", "Corners: corner 3: '1' given; allowed: two finite numbers"),
     ("0, 0\n1, 0, 0\n1, 1", "Corners: corner 2: '1, 0, 0' given; allowed: two finite numbers"),
@@ -267,6 +296,7 @@ def test_every_support_has_a_name_that_says_what_it_is():
     assert support_note(preset("tripod")).endswith(
         "shape points; in the gallery of supports: tripod."
     )
+    assert support_note(preset("impact")) == "There is no friction on the support."
     assert "from the scene file" in support_names(preset("plate"))
     assert "even pressure over the base" not in support_names(preset("plate"))
     assert "even pressure over the base" in support_names(preset("box"))
@@ -283,6 +313,40 @@ def test_a_support_lies_under_its_object_and_keeps_its_name(start, name):
     assert support.center_of_pressure == pytest.approx(after.outline.centroid, abs=1e-9)
     assert support.extent <= after.outline.size
     assert support_name(drag_handle(state, Handle.SIZE, np.array([0.5, 0.5]))) == name
+
+
+@pytest.mark.parametrize("start", ["box", "box_side"])
+def test_friction_that_returns_is_even_over_the_base(start):
+    state = preset(start)
+    smooth = with_kinds(
+        with_effect(state, EffectKind.INERTIA, {"type": "inertia"}), [EffectKind.INERTIA]
+    )
+    rough = with_kinds(smooth, [EffectKind.INERTIA, EffectKind.SUPPORT_FRICTION])
+    assert support_name(rough) == "base"
+    assert rough.scene.weight == 1.0
+    assert rough.flush == state.flush
+    assert support_name(with_named_support(smooth, "tripod")) == "tripod"
+
+
+def test_even_pressure_is_on_the_base_without_its_holes():
+    square, hole = [(-2, -1), (2, -1), (2, 1), (-2, 1)], pp.Disc(0.5, center=(1.0, 0.0))
+    state = with_outline(preset("figure_03"), pp.Outline(square, holes=[hole]))
+    body = object_of(state)
+    assert body.effects[0].support.center_of_pressure == pytest.approx(
+        body.outline.centroid, abs=1e-4
+    )
+    assert body.outline.centroid[0] < -0.1
+    assert support_name(state) == "base"
+    assert support_name(with_named_support(state, "tripod")) == "tripod"
+
+
+def test_a_support_about_a_centroid_outside_of_the_object_is_refused():
+    thin = with_corners(preset("box"), "0, 0; 1, 0; 1, 0.05; 0.05, 0.05; 0.05, 1; 0, 1")
+    with pytest.raises(
+        InvalidValue, match=r"^Support: 'three feet' given; allowed: even pressure "
+    ):
+        with_named_support(thin, "tripod")
+    assert support_name(with_named_support(thin, "base")) == "base"
 
 
 # -- units -------------------------------------------------------------------------------------------
@@ -304,6 +368,12 @@ def test_lengths_are_shown_in_another_unit():
     same = fields()["gyration"].write(state, 10.4)
     assert same.scene.masses[0].gyration_radius == pytest.approx(0.104)
     assert state_in(dict(parse_qsl(query(state)))) == state
+
+
+def test_the_radius_of_gyration_is_that_of_the_outline_without_a_number():
+    gyration = fields()["gyration"]
+    plate = gyration.write(replace(preset("box"), unit="cm"), None)
+    assert gyration.read(plate) == pytest.approx(100.0 * np.hypot(0.3, 0.2) / np.sqrt(12.0))
 
 
 def test_the_table_names_its_units():

@@ -119,6 +119,13 @@ def test_no_handle_hides_another_one(name, size):
     assert (Handle.LINE in spots) == np.any(push.force)
 
 
+def test_the_map_of_another_direction_or_unit_is_known():
+    state = preset("box")
+    *_, fine = maps.maps(state)
+    turned = replace(with_push(state, 20.0, state.magnitude), unit="cm")
+    assert np.array_equal(maps.quick_map(turned).codes, fine.codes)
+
+
 @pytest.mark.parametrize("name", SYMMETRIC)
 def test_the_name_of_a_handle_touches_it(name):
     push = solve_push(state := SYMMETRIC[name]())

@@ -21,12 +21,12 @@ from planar_pushing.drawing.timeline import (
 from planar_pushing.drawing.words import NUMBERS
 from planar_pushing.explorer.python_lines import acceleration, settings
 from planar_pushing.explorer.state import (
-    Handle,
     Start,
     State,
     first_policy,
     with_entries,
     with_simulation,
+    without_display,
     wrap_angle,
 )
 from planar_pushing.mechanics.contact import ContactMode
@@ -78,12 +78,7 @@ class FollowedMotion(NamedTuple):
 
 def follow(state: State) -> FollowedMotion:
     """Simulate the push of a state."""
-    return _simulate_push(push_to_follow(state))
-
-
-def push_to_follow(state: State) -> State:
-    """State with the push to follow, without settings that only affect the display."""
-    return replace(state, time=None, shown="", across="", handle=Handle.PUSHER, unit="")
+    return _simulate_push(without_display(state))
 
 
 @lru_cache(maxsize=4)

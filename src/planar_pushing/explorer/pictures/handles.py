@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 
 from planar_pushing.drawing.sketch import Sketch
-from planar_pushing.explorer.boundary import FROM_END, nearest_to, perimeter, place_at
+from planar_pushing.explorer.boundary import nearest_to, perimeter, place_at
 from planar_pushing.explorer.objects import object_of, with_contact, with_object_size
 from planar_pushing.explorer.state import (
     MAGNITUDES,
@@ -99,6 +99,11 @@ def handles_of(state: State) -> list[Handle]:
         return [Handle.PUSHER]
     middle = Handle.CONTACT if state.has_outline else Handle.ROD
     return [Handle.PUSHER, middle, Handle.SIZE, Handle.LINE]
+
+
+def handle_of(state: State) -> Handle:
+    """The handle that the keys move: that of the state, or the pusher if the state cannot have that one."""
+    return state.handle if state.handle in handles_of(state) else Handle.PUSHER
 
 
 @lru_cache(maxsize=8)
@@ -192,15 +197,16 @@ DEGREE, PART = 1.0, 0.02
 def nudge_handle(state: State, force: Array | None, right: int, up: int, coarse: bool) -> State:
     """State after an arrow key: left and right turn its handle, up and down change its length.
 
-    They move a contact along the outline.
+    They move a contact along the outline; the size of an object with an outline only changes.
     """
-    handle = state.handle
-    if handle == Handle.CONTACT and state.has_outline and not state.flush:
-        return _nudge_contact(state, (right + up) * (10.0 if coarse else 1.0))
+    handle, step = handle_of(state), 10.0 if coarse else 1.0
+    if handle == Handle.CONTACT:
+        return _nudge_contact(state, step * (right + up))
+    if handle == Handle.SIZE and state.has_outline:
+        return with_object_size(state, 1.0 + PART * step * up) if up else state
     position = handle_positions(state, force).get(handle)
     if position is None:
         return state
-    step = 10.0 if coarse else 1.0
     about = frame_of(state.scene).middle if handle == Handle.SIZE else np.zeros(2)
     arm = position - about
     angle = math.atan2(arm[1], arm[0]) - math.radians(DEGREE * step * right)
@@ -211,10 +217,5 @@ def nudge_handle(state: State, force: Array | None, right: int, up: int, coarse:
 def _nudge_contact(state: State, steps: float) -> State:
     """State with the contact moved along the outline, counterclockwise, by fractions of its length."""
     body = object_of(state)
-    whole = perimeter(body.outline)
-    place = place_at(body.outline, body.place.length + steps * PART / 2.0 * whole)
-    if place.point == body.place.point:  # held off by a corner
-        place = place_at(
-            body.outline, body.place.length + math.copysign(2.0 * FROM_END * whole, steps)
-        )
-    return with_contact(state, place)
+    length = body.place.length + steps * PART / 2.0 * perimeter(body.outline)
+    return with_contact(state, place_at(body.outline, length))

@@ -17,8 +17,8 @@ RADIUS, FREE, GRAB = 11.0, 5.0, 30.0
 #: Diameter of a handle in points at the smallest scale of the page, and distance of its name from it
 #: in pixels.
 DIAMETER, BESIDE = 17.6, 3.0
-#: Distance between samples of a line in pixels.
-SAMPLE = 4.0
+#: Distance between samples of a line in pixels, and the largest number of samples.
+SAMPLE, MOST = 4.0, 1000
 #: Color of the names.
 NAME = "#555555"
 #: Order in which handles take their places: the first ones mark a point of the slider.
@@ -27,7 +27,7 @@ ORDER = Handle.CONTACT, Handle.ROD, Handle.PUSHER, Handle.SIZE, Handle.LINE
 TURNS = np.deg2rad([0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150, 180])
 STEPS = (1.25, 1.7, 2.2, 2.8)
 #: Places along its line that the handle of the line of force tries, in units of its own.
-ALONG = (1.0, 1.15, 0.85, 1.3, 0.7, 1.5, 0.55)
+ALONG = (1.15, 0.85, 1.3, 0.7, 1.5, 0.55)
 
 
 class Held(NamedTuple):
@@ -160,7 +160,7 @@ def _points_of_lines(picture: Picture, sheet: Sheet) -> Iterator[Array]:
         if isinstance(mark, (Line, Arrow)):
             points = sheet.to_sheet(mark.points)
             along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-            distances = np.arange(0.0, along[-1], SAMPLE)[:1000]
+            distances = SAMPLE * np.arange(math.ceil(min(along[-1] / SAMPLE, MOST)))
             yield np.stack([np.interp(distances, along, points[:, i]) for i in (0, 1)], axis=-1)
 
 

@@ -18,11 +18,11 @@ from planar_pushing.explorer.pictures.handles import unit_of_magnitude
 from planar_pushing.explorer.state import (
     MAGNITUDES,
     ROD_ANGLES,
-    Handle,
     State,
     with_law,
     with_push,
     with_rod,
+    without_display,
 )
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.force.cones import is_magnitude_open
@@ -181,18 +181,20 @@ def maps(state: State) -> Iterator[Map]:
         fine = mode_map(state, size)
         _finest[_key_of(state)] = fine
         if len(_finest) > KEPT:
-            del _finest[next(iter(_finest))]
+            _finest.pop(next(iter(_finest)), None)
         yield fine
 
 
-#: The last fine maps, by their states.
+#: The last fine maps, by their states, and the number of them that are kept.
 _finest: dict[State, Map] = {}
 KEPT = 8
 
 
 def _key_of(state: State) -> State:
-    """A state without what its map does not depend on."""
-    return replace(state, angle=0.0, shown="", time=None, handle=Handle.PUSHER, several=None)
+    """A state without the parts on which its map does not depend, such as the motion over time."""
+    file = state.file.model_copy(update={"simulate": None})
+    bare = replace(without_display(state), file=file, angle=0.0, several=None)
+    return replace(bare, across=axis_of(state))
 
 
 def quick_map(state: State) -> Map:
