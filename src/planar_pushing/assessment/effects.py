@@ -107,7 +107,7 @@ def start_runs(trial: Trial, scene: Scene, change: float) -> Runs:
 
 
 def assess_effects(runs: Runs, tolerance: float) -> tuple[xr.Dataset, Scene, list[str]]:
-    """What each effect changes, the scene with those that are needed, and warnings.
+    """The change that each effect makes, the scene with those that are needed, and warnings.
 
     Effects are left out one after the other, Coulomb friction last, and those that change little first.
     An effect is left out if the push and its neighbors then stay within the tolerance of those with all

@@ -41,7 +41,7 @@ def label(name: str, state: State) -> str:
 
 
 def note(state: State) -> str:
-    """What the lengths on the page are multiples of, if the scene has no unit."""
+    """A sentence on the unit of the lengths on the page, empty if the scene names one."""
     if shown_unit(state):
         return ""
     return (
