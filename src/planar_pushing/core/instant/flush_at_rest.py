@@ -21,20 +21,16 @@ from planar_pushing.core.instant.solution import (
     STICK,
 )
 from planar_pushing.core.numbers import INFINITY, Numbers
-from planar_pushing.core.supports.free import Level, friction_share
-from planar_pushing.core.supports.roots import (
-    ITERATIONS,
-    best_number,
-    is_narrow,
-    narrow_bracket,
-    next_number,
-    open_bracket,
+from planar_pushing.core.supports.descent import (
+    continue_descent,
+    is_found,
+    lowest_number,
+    open_descent,
 )
+from planar_pushing.core.supports.free import Level, friction_share
+from planar_pushing.core.supports.roots import ITERATIONS
 from planar_pushing.core.supports.rows import Vector
-from planar_pushing.core.supports.tolerances import COINCIDENT, RESOLUTION, SHARE
-
-#: Number of times that the magnitude of a force is doubled in search of the one that needs friction least.
-FORCE_DOUBLINGS = 64
+from planar_pushing.core.supports.tolerances import RESOLUTION, SHARE
 
 
 class Facet(NamedTuple):
@@ -197,28 +193,16 @@ def _power_of(flush: FlushPush, hold: Hold, x: float, y: float, position: float)
 def _minimum_along_first(flush: FlushPush, facet: Facet, other: float, unit: float) -> Hold:
     """The smallest share over all multiples of the first force: there its power in the motion is zero."""
     x, y, position = facet.one_x, facet.one_y, facet.one_position
-    low = _hold_with(flush, facet, 0.0, other)
-    at_low, sense, step = _power_of(flush, low, x, y, position), 1.0, unit
-    if at_low == 0.0 or (at_low > 0.0 and not facet.any_sign):
-        return low
-    sense = -1.0 if at_low > 0.0 else 1.0
-    high, at_high = low, at_low
-    for _ in range(FORCE_DOUBLINGS):
-        high = _hold_with(flush, facet, sense * step, other)
-        at_high = _power_of(flush, high, x, y, position)
-        if sense * at_high >= 0.0:
-            break
-        low, at_low, step = high, at_high, 2.0 * step
-    bracket = open_bracket(
-        low=low.one, high=high.one, at_low=at_low, at_high=at_high, resolution=COINCIDENT
-    )
+    there = _hold_with(flush, facet, 0.0, other)
+    power = _power_of(flush, there, x, y, position)
+    sense = -1.0 if power > 0.0 and facet.any_sign else 1.0
+    descent = open_descent(sense * power, unit, INFINITY)
     for _ in range(ITERATIONS):
-        if sense * at_high < 0.0 or is_narrow(bracket):
+        if is_found(descent):
             break
-        one = next_number(bracket)
-        high = _hold_with(flush, facet, one, other)
-        bracket = narrow_bracket(bracket, one, _power_of(flush, high, x, y, position))
-    return _hold_with(flush, facet, best_number(bracket), other)
+        there = _hold_with(flush, facet, sense * descent.trial, other)
+        descent = continue_descent(descent, sense * _power_of(flush, there, x, y, position))
+    return _hold_with(flush, facet, sense * lowest_number(descent), other)
 
 
 def _minimum_on_facet(flush: FlushPush, facet: Facet, both: bool) -> Hold:
@@ -230,28 +214,16 @@ def _minimum_on_facet(flush: FlushPush, facet: Facet, both: bool) -> Hold:
         flush.translation.load,
     )
     unit = fabs(load.x) + fabs(load.y) + fabs(load.spin)
-    low = _minimum_along_first(flush, facet, 0.0, unit)
-    at_low, step = _power_of(flush, low, x, y, position), unit
-    if not both or at_low >= 0.0:
-        return low
-    start, end, high, at_high = 0.0, 0.0, low, at_low
-    for _ in range(FORCE_DOUBLINGS):
-        end = step
-        high = _minimum_along_first(flush, facet, end, unit)
-        at_high = _power_of(flush, high, x, y, position)
-        if at_high >= 0.0:
-            break
-        start, at_low, step = end, at_high, 2.0 * step
-    bracket = open_bracket(
-        low=start, high=end, at_low=at_low, at_high=at_high, resolution=COINCIDENT
-    )
+    there = _minimum_along_first(flush, facet, 0.0, unit)
+    if not both:
+        return there
+    descent = open_descent(_power_of(flush, there, x, y, position), unit, INFINITY)
     for _ in range(ITERATIONS):
-        if at_high < 0.0 or is_narrow(bracket):
+        if is_found(descent):
             break
-        other = next_number(bracket)
-        high = _minimum_along_first(flush, facet, other, unit)
-        bracket = narrow_bracket(bracket, other, _power_of(flush, high, x, y, position))
-    return _minimum_along_first(flush, facet, best_number(bracket), unit)
+        there = _minimum_along_first(flush, facet, descent.trial, unit)
+        descent = continue_descent(descent, _power_of(flush, there, x, y, position))
+    return _minimum_along_first(flush, facet, lowest_number(descent), unit)
 
 
 def _hold_in_open_cone(flush: FlushPush, hold: Hold, size: float) -> Hold:

@@ -20,7 +20,6 @@ from planar_pushing.core.instant.gripped_frames import (
     write_grip_force,
 )
 from planar_pushing.core.instant.limit_line import (
-    DOUBLINGS,
     add_multiple,
     least_multiple,
     slope_at,
@@ -31,14 +30,13 @@ from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT
 from planar_pushing.core.instant.twist_line import length_of_twist, scale_vector
 from planar_pushing.core.instant.unit_forces import MOST_UNITS, UNIT_FORCE, UnitForce
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
-from planar_pushing.core.supports.roots import (
-    ITERATIONS,
-    best_number,
-    is_narrow,
-    narrow_bracket,
-    next_number,
-    open_bracket,
+from planar_pushing.core.supports.descent import (
+    continue_descent,
+    is_found,
+    lowest_number,
+    open_descent,
 )
+from planar_pushing.core.supports.roots import ITERATIONS
 from planar_pushing.core.supports.rows import NO_POINT, Effects, Vector
 from planar_pushing.core.supports.tolerances import BALANCED, COINCIDENT, SHARE
 
@@ -138,28 +136,16 @@ def _least_of_units(
 ) -> float:
     """The smallest share with multiples of one unit force, or of two, which are written."""
     effects, first, second = grip.several.effects, _wrench_of_unit(one), _wrench_of_unit(other)
-    most, most_of_other = _most_of(grip, one), _most_of(grip, other)
-    more = 0.0
+    most, more = _most_of(grip, one), 0.0
     if both:
-        low, high = 0.0, min(most_of_other, length_of_twist(start))
-        at_low = _slope_with(effects, start, first, most, second, 0.0)
-        at_high = at_low
-        for _ in range(DOUBLINGS if at_low < 0.0 else 0):
-            at_high = _slope_with(effects, start, first, most, second, high)
-            if at_high >= 0.0 or high == most_of_other:
+        at_start = _slope_with(effects, start, first, most, second, 0.0)
+        descent = open_descent(at_start, length_of_twist(start), _most_of(grip, other))
+        for _ in range(ITERATIONS):
+            if is_found(descent):
                 break
-            low, at_low, high = high, at_high, min(most_of_other, 2.0 * high)
-        if at_low < 0.0 <= at_high:
-            bracket = open_bracket(low, high, at_low, at_high, COINCIDENT)
-            for _ in range(ITERATIONS):
-                if is_narrow(bracket):
-                    break
-                trial = next_number(bracket)
-                value = _slope_with(effects, start, first, most, second, trial)
-                bracket = narrow_bracket(bracket, trial, value)
-            more = best_number(bracket)
-        elif at_low < 0.0:
-            more = high
+            slope = _slope_with(effects, start, first, most, second, descent.trial)
+            descent = continue_descent(descent, slope)
+        more = lowest_number(descent)
     there = add_multiple(start, more, second)
     part = least_multiple(effects, there, first, most)
     multiples[0], multiples[1] = part, more

@@ -14,6 +14,12 @@ from planar_pushing.core.instant.kernels import FAR
 from planar_pushing.core.instant.twist_line import length_of_twist
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.supports.contact import contact_at
+from planar_pushing.core.supports.descent import (
+    continue_descent,
+    is_found,
+    lowest_number,
+    open_descent,
+)
 from planar_pushing.core.supports.roots import (
     ITERATIONS,
     best_number,
@@ -23,7 +29,7 @@ from planar_pushing.core.supports.roots import (
     open_bracket,
 )
 from planar_pushing.core.supports.rows import Effects, Vector
-from planar_pushing.core.supports.tolerances import COINCIDENT, RESOLUTION, SHARE
+from planar_pushing.core.supports.tolerances import RESOLUTION, SHARE
 
 #: Maximum number of times that a force is doubled in a search.
 DOUBLINGS = 60
@@ -65,25 +71,14 @@ def slope_at(surface: Surface, unit: Vector) -> float:
 
 def least_multiple(effects: Effects, start: Vector, unit: Vector, most: float) -> float:
     """The multiple of a unit wrench, up to a largest one, with the smallest share; the share is convex."""
-    at_low = slope_at(surface_at(effects, start), unit)
-    if at_low >= 0.0:
-        return 0.0
-    low, high, at_high = 0.0, min(most, length_of_twist(start)), at_low
-    for _ in range(DOUBLINGS):
-        at_high = slope_at(surface_at(effects, add_multiple(start, high, unit)), unit)
-        if at_high >= 0.0 or high == most:
-            break
-        low, at_low, high = high, at_high, min(most, 2.0 * high)
-    if at_high < 0.0:
-        return high
-    bracket = open_bracket(low, high, at_low, at_high, COINCIDENT)
+    at_start = slope_at(surface_at(effects, start), unit)
+    descent = open_descent(at_start, length_of_twist(start), most)
     for _ in range(ITERATIONS):
-        if is_narrow(bracket):
+        if is_found(descent):
             break
-        part = next_number(bracket)
-        value = slope_at(surface_at(effects, add_multiple(start, part, unit)), unit)
-        bracket = narrow_bracket(bracket, part, value)
-    return best_number(bracket)
+        there = surface_at(effects, add_multiple(start, descent.trial, unit))
+        descent = continue_descent(descent, slope_at(there, unit))
+    return lowest_number(descent)
 
 
 def _crossing_of(effects: Effects, start: Vector, unit: Vector, low: float, high: float) -> float:

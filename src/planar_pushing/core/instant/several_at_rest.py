@@ -23,21 +23,17 @@ from planar_pushing.core.instant.unit_forces import (
     UnitForce,
 )
 from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.supports.descent import (
+    continue_descent,
+    is_found,
+    lowest_number,
+    open_descent,
+)
 from planar_pushing.core.supports.free import friction_share
 from planar_pushing.core.supports.resistance import has_friction, load_wrench
-from planar_pushing.core.supports.roots import (
-    ITERATIONS,
-    best_number,
-    is_narrow,
-    narrow_bracket,
-    next_number,
-    open_bracket,
-)
+from planar_pushing.core.supports.roots import ITERATIONS
 from planar_pushing.core.supports.rows import NO_POINT, Vector
 from planar_pushing.core.supports.tolerances import BALANCED, COINCIDENT, SHARE
-
-#: Maximum number of times that a force is doubled in the search for the smallest share.
-MOST_DOUBLINGS = 60
 
 
 class Share(NamedTuple):
@@ -178,25 +174,11 @@ def _least_share(
     """
     load, unit = load_wrench(several.effects), i if number == 0 else j
     step = fabs(load.x) + fabs(load.y) + fabs(load.spin)
-    low = _share_with(several, sharing, i, j, number, multiple=0.0, other=other)
-    start, at_start = 0.0, _power_of_unit(sharing, unit, low.twist)
-    if at_start >= 0.0:
-        return low
-    end, at_end = start, at_start
-    for _ in range(MOST_DOUBLINGS):
-        end = step
-        high = _share_with(several, sharing, i, j, number, multiple=end, other=other)
-        at_end = _power_of_unit(sharing, unit, high.twist)
-        if at_end >= 0.0:
-            break
-        low, start, at_start, step = high, end, at_end, 2.0 * step
-    if at_end < 0.0:
-        return low
-    bracket = open_bracket(start, end, at_start, at_end, COINCIDENT)
+    there = _share_with(several, sharing, i, j, number, multiple=0.0, other=other)
+    descent = open_descent(_power_of_unit(sharing, unit, there.twist), step, INFINITY)
     for _ in range(ITERATIONS):
-        if is_narrow(bracket):
+        if is_found(descent):
             break
-        multiple = next_number(bracket)
-        high = _share_with(several, sharing, i, j, number, multiple=multiple, other=other)
-        bracket = narrow_bracket(bracket, multiple, _power_of_unit(sharing, unit, high.twist))
-    return _share_with(several, sharing, i, j, number, multiple=best_number(bracket), other=other)
+        there = _share_with(several, sharing, i, j, number, multiple=descent.trial, other=other)
+        descent = continue_descent(descent, _power_of_unit(sharing, unit, there.twist))
+    return _share_with(several, sharing, i, j, number, lowest_number(descent), other)
