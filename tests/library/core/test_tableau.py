@@ -7,20 +7,20 @@ import pytest
 from scipy.integrate import DOP853
 from scipy.special import roots_jacobi
 
-from planar_pushing.core.instant.tableau import (
-    DENSE_WEIGHTS,
-    FIFTH_ERROR,
-    STAGE_TIMES,
-    STAGE_WEIGHTS,
-    STEP_STAGES,
-    THIRD_ERROR,
-)
 from planar_pushing.core.motion.integration.collocation import (
     MIDDLE_NODE,
     NODE_LEGENDRE,
     NODE_TIMES,
     NODE_WEIGHTS,
     NODES,
+)
+from planar_pushing.core.motion.integration.tableau import (
+    DENSE_WEIGHTS,
+    FIFTH_ERROR,
+    STAGE_TIMES,
+    STAGE_WEIGHTS,
+    STEP_STAGES,
+    THIRD_ERROR,
 )
 
 STAGES = len(STAGE_TIMES)

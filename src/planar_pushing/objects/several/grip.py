@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.instant.gripped_frames import GripRow
+from planar_pushing.core.contacts.gripped_frames import GripRow
 from planar_pushing.core.supports.rows import LOAD, LoadRow
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, Viscous
 from planar_pushing.mechanics.kernels.columns import row_of

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.instant.several_frames import MOST_OF_SEVERAL, SeveralRow
-from planar_pushing.core.instant.several_solutions import (
+from planar_pushing.core.contacts.several_frames import MOST_OF_SEVERAL, SeveralRow
+from planar_pushing.core.contacts.several_solutions import (
     SEVERAL_SOLUTION,
     SeveralResults,
     SeveralSolution,

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.instant.several_frames import MOST_CONTACTS
+from planar_pushing.core.contacts.several_frames import MOST_CONTACTS
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import (

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 
-from planar_pushing.core.instant.several_frames import MOST_CONTACTS
+from planar_pushing.core.contacts.several_frames import MOST_CONTACTS
 from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import Motion, gap_rate
 from planar_pushing.simulation.several.movers import Touch

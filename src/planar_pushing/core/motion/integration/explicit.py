@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
-from planar_pushing.core.instant.tableau import (
+from planar_pushing.core.motion.integration.tableau import (
     DENSE_WEIGHTS,
     FIFTH_ERROR,
     STAGE_TIMES,

@@ -11,17 +11,17 @@ from __future__ import annotations
 from math import fabs
 from typing import NamedTuple
 
-from planar_pushing.core.instant.force_sets import (
+from planar_pushing.core.contacts.force_sets import (
     HeldLoad,
     balance_load,
 )
-from planar_pushing.core.instant.several_frames import Several, frame_of
-from planar_pushing.core.instant.several_solutions import Sharing, add_solution
-from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, STICK
-from planar_pushing.core.instant.unit_forces import (
+from planar_pushing.core.contacts.several_frames import Several, frame_of
+from planar_pushing.core.contacts.several_solutions import Sharing, add_solution
+from planar_pushing.core.contacts.unit_forces import (
     UNIT_FORCE,
     UnitForce,
 )
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, STICK
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.supports.descent import (
     continue_descent,

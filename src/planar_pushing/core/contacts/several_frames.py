@@ -14,6 +14,11 @@ from planar_pushing.core._record import (
     Record,
     size_of,
 )
+from planar_pushing.core.contacts.twist_line import (
+    dot_vectors,
+    length_of_twist,
+    scale_vector,
+)
 from planar_pushing.core.instant.directions import (
     unit_x,
     unit_y,
@@ -25,11 +30,6 @@ from planar_pushing.core.instant.solution import (
     STICK,
     Pair,
     Twist,
-)
-from planar_pushing.core.instant.twist_line import (
-    dot_vectors,
-    length_of_twist,
-    scale_vector,
 )
 from planar_pushing.core.numbers import (
     Numbers,

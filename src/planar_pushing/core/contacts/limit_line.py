@@ -9,9 +9,9 @@ from __future__ import annotations
 from math import fabs, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core.contacts.twist_line import length_of_twist
 from planar_pushing.core.instant.force import ContactMotion, motion_under_force
 from planar_pushing.core.instant.kernels import FAR
-from planar_pushing.core.instant.twist_line import length_of_twist
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.supports.contact import contact_at
 from planar_pushing.core.supports.descent import (

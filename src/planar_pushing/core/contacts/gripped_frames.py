@@ -6,9 +6,9 @@ from math import cos, fabs, sin, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core._record import Record, size_of
-from planar_pushing.core.instant.force_sets import HeldLoad, balance_load
-from planar_pushing.core.instant.limit_line import add_multiple
-from planar_pushing.core.instant.several_frames import (
+from planar_pushing.core.contacts.force_sets import HeldLoad, balance_load
+from planar_pushing.core.contacts.limit_line import add_multiple
+from planar_pushing.core.contacts.several_frames import (
     MOST_CONTACTS,
     MOST_OF_SEVERAL,
     ContactFrame,
@@ -17,16 +17,15 @@ from planar_pushing.core.instant.several_frames import (
     frame_of,
     several_at,
 )
-from planar_pushing.core.instant.several_solutions import (
+from planar_pushing.core.contacts.several_solutions import (
     SEVERAL_SOLUTION,
     SeveralSolution,
     settle_solution,
     unit_forces,
     write_unit_force,
 )
-from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK, UNSOLVED
-from planar_pushing.core.instant.twist_line import length_of_twist, scale_vector
-from planar_pushing.core.instant.unit_forces import (
+from planar_pushing.core.contacts.twist_line import length_of_twist, scale_vector
+from planar_pushing.core.contacts.unit_forces import (
     END_OF_FORCES,
     FORCE_END,
     MOST_UNITS,
@@ -34,6 +33,7 @@ from planar_pushing.core.instant.unit_forces import (
     ForceEnd,
     UnitForce,
 )
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK, UNSOLVED
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.rows import Effects, Vector
 from planar_pushing.core.supports.tolerances import BALANCED

@@ -8,16 +8,13 @@ from planar_pushing.core._record import (
     Record,
     size_of,
 )
-from planar_pushing.core.instant.directions import (
-    QUARTER_TURN,
-)
-from planar_pushing.core.instant.line_problem import (
+from planar_pushing.core.contacts.line_problem import (
     LINE_ROOT,
     MOST_ON_LINE,
     LineRoot,
     find_on_line,
 )
-from planar_pushing.core.instant.several_frames import (
+from planar_pushing.core.contacts.several_frames import (
     MotionSet,
     Several,
     as_vector,
@@ -28,19 +25,12 @@ from planar_pushing.core.instant.several_frames import (
     reach_of_rows,
     slip_rate,
 )
-from planar_pushing.core.instant.several_solutions import (
+from planar_pushing.core.contacts.several_solutions import (
     Sharing,
     add_balanced,
     balances,
 )
-from planar_pushing.core.instant.solution import (
-    SEPARATE,
-    SLIP_LEFT,
-    STICK,
-    UNSOLVED,
-    Twist,
-)
-from planar_pushing.core.instant.twist_line import (
+from planar_pushing.core.contacts.twist_line import (
     TwistLine,
     dot_vectors,
     length_of_twist,
@@ -48,10 +38,20 @@ from planar_pushing.core.instant.twist_line import (
     scale_vector,
     twist_on_line,
 )
-from planar_pushing.core.instant.unit_forces import (
+from planar_pushing.core.contacts.unit_forces import (
     INDEPENDENT,
     UNIT_FORCE,
     UnitForce,
+)
+from planar_pushing.core.instant.directions import (
+    QUARTER_TURN,
+)
+from planar_pushing.core.instant.solution import (
+    SEPARATE,
+    SLIP_LEFT,
+    STICK,
+    UNSOLVED,
+    Twist,
 )
 from planar_pushing.core.numbers import (
     INFINITY,

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from math import fabs
 
-from planar_pushing.core.instant.force_sets import HeldLoad
-from planar_pushing.core.instant.gripped_frames import (
+from planar_pushing.core.contacts.force_sets import HeldLoad
+from planar_pushing.core.contacts.gripped_frames import (
     Grip,
     add_gripped,
     balance_grip,
@@ -19,16 +19,16 @@ from planar_pushing.core.instant.gripped_frames import (
     unit_forces_of_grip,
     write_grip_force,
 )
-from planar_pushing.core.instant.limit_line import (
+from planar_pushing.core.contacts.limit_line import (
     add_multiple,
     least_multiple,
     slope_at,
     surface_at,
 )
-from planar_pushing.core.instant.several_frames import MOST_CONTACTS, as_vector, frame_of
+from planar_pushing.core.contacts.several_frames import MOST_CONTACTS, as_vector, frame_of
+from planar_pushing.core.contacts.twist_line import length_of_twist, scale_vector
+from planar_pushing.core.contacts.unit_forces import MOST_UNITS, UNIT_FORCE, UnitForce
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
-from planar_pushing.core.instant.twist_line import length_of_twist, scale_vector
-from planar_pushing.core.instant.unit_forces import MOST_UNITS, UNIT_FORCE, UnitForce
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.descent import (
     continue_descent,

@@ -14,10 +14,8 @@ from __future__ import annotations
 
 from math import fabs
 
-from planar_pushing.core.instant.directions import QUARTER_TURN
-from planar_pushing.core.instant.force import ContactMotion
-from planar_pushing.core.instant.gripped_at_rest import add_grip_at_rest
-from planar_pushing.core.instant.gripped_frames import (
+from planar_pushing.core.contacts.gripped_at_rest import add_grip_at_rest
+from planar_pushing.core.contacts.gripped_frames import (
     GRIP_ROW,
     Grip,
     GripRow,
@@ -29,15 +27,15 @@ from planar_pushing.core.instant.gripped_frames import (
     pull_of,
     write_grip_force,
 )
-from planar_pushing.core.instant.limit_line import add_multiple, surface_at, write_crossings
-from planar_pushing.core.instant.line_problem import (
+from planar_pushing.core.contacts.limit_line import add_multiple, surface_at, write_crossings
+from planar_pushing.core.contacts.line_problem import (
     LINE_ROOT,
     MOST_ON_LINE,
     LineRoot,
     find_on_line,
 )
-from planar_pushing.core.instant.several import write_solutions
-from planar_pushing.core.instant.several_frames import (
+from planar_pushing.core.contacts.several import write_solutions
+from planar_pushing.core.contacts.several_frames import (
     CONTACT_FRAME,
     CONTACT_ROW,
     MOST_CONTACTS,
@@ -51,26 +49,28 @@ from planar_pushing.core.instant.several_frames import (
     slip_rate,
     write_frame,
 )
-from planar_pushing.core.instant.several_lines import ANY_LOAD
-from planar_pushing.core.instant.several_solutions import (
+from planar_pushing.core.contacts.several_lines import ANY_LOAD
+from planar_pushing.core.contacts.several_solutions import (
     SEVERAL_SOLUTION,
     load_of,
     sort_solutions,
 )
-from planar_pushing.core.instant.solution import (
-    SEPARATE,
-    SLIP_LEFT,
-    SLIP_RIGHT,
-    STICK,
-    UNSOLVED,
-)
-from planar_pushing.core.instant.twist_line import (
+from planar_pushing.core.contacts.twist_line import (
     dot_vectors,
     give_force,
     length_of_twist,
     line_through,
     scale_vector,
     twist_on_line,
+)
+from planar_pushing.core.instant.directions import QUARTER_TURN
+from planar_pushing.core.instant.force import ContactMotion
+from planar_pushing.core.instant.solution import (
+    SEPARATE,
+    SLIP_LEFT,
+    SLIP_RIGHT,
+    STICK,
+    UNSOLVED,
 )
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.resistance import resistance

@@ -9,6 +9,49 @@ from __future__ import annotations
 
 from math import sqrt
 
+from planar_pushing.core.contacts.several_at_rest import add_at_rest, rests_with
+from planar_pushing.core.contacts.several_frames import (
+    CONTACT_FRAME,
+    CONTACT_ROW,
+    MOST_CONTACTS,
+    MOST_OF_SEVERAL,
+    ContactFrame,
+    Several,
+    SeveralRow,
+    frame_of,
+    keeps_modes,
+    motions_of_modes,
+    several_at,
+    write_frame,
+)
+from planar_pushing.core.contacts.several_lines import (
+    add_from_rest,
+    add_on_line,
+)
+from planar_pushing.core.contacts.several_solutions import (
+    HEAD_OF_SEVERAL,
+    SEVERAL_SOLUTION,
+    SeveralResults,
+    SeveralSolution,
+    add_balanced,
+    add_solution,
+    settle_solution,
+    sharing_of,
+    sort_solutions,
+    unit_forces,
+    write_unit_force,
+)
+from planar_pushing.core.contacts.twist_line import (
+    length_of_twist,
+)
+from planar_pushing.core.contacts.unit_forces import (
+    END_OF_FORCES,
+    MOST_UNITS,
+    UNIT_FORCE,
+    ForceEnd,
+    UnitForce,
+    find_cancelling,
+)
 from planar_pushing.core.instant.cone import (
     Law,
 )
@@ -27,38 +70,6 @@ from planar_pushing.core.instant.kernels import (
 from planar_pushing.core.instant.modes import (
     contact_modes,
 )
-from planar_pushing.core.instant.several_at_rest import add_at_rest, rests_with
-from planar_pushing.core.instant.several_frames import (
-    CONTACT_FRAME,
-    CONTACT_ROW,
-    MOST_CONTACTS,
-    MOST_OF_SEVERAL,
-    ContactFrame,
-    Several,
-    SeveralRow,
-    frame_of,
-    keeps_modes,
-    motions_of_modes,
-    several_at,
-    write_frame,
-)
-from planar_pushing.core.instant.several_lines import (
-    add_from_rest,
-    add_on_line,
-)
-from planar_pushing.core.instant.several_solutions import (
-    HEAD_OF_SEVERAL,
-    SEVERAL_SOLUTION,
-    SeveralResults,
-    SeveralSolution,
-    add_balanced,
-    add_solution,
-    settle_solution,
-    sharing_of,
-    sort_solutions,
-    unit_forces,
-    write_unit_force,
-)
 from planar_pushing.core.instant.solution import (
     MOST_SOLUTIONS,
     SEPARATE,
@@ -67,17 +78,6 @@ from planar_pushing.core.instant.solution import (
     UNSOLVED,
     Push,
     Solution,
-)
-from planar_pushing.core.instant.twist_line import (
-    length_of_twist,
-)
-from planar_pushing.core.instant.unit_forces import (
-    END_OF_FORCES,
-    MOST_UNITS,
-    UNIT_FORCE,
-    ForceEnd,
-    UnitForce,
-    find_cancelling,
 )
 from planar_pushing.core.numbers import (
     UNKNOWN,

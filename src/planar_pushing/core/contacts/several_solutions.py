@@ -13,15 +13,26 @@ from planar_pushing.core._record import (
     Record,
     size_of,
 )
-from planar_pushing.core.instant.force_sets import (
+from planar_pushing.core.contacts.force_sets import (
     HeldLoad,
     balance_load,
 )
-from planar_pushing.core.instant.several_frames import (
+from planar_pushing.core.contacts.several_frames import (
     MOST_OF_SEVERAL,
     Several,
     as_vector,
     frame_of,
+)
+from planar_pushing.core.contacts.twist_line import (
+    length_of_twist,
+)
+from planar_pushing.core.contacts.unit_forces import (
+    FORCE_END,
+    FORCES_INSIDE,
+    MOST_UNITS,
+    UNIT_FORCE,
+    ForceEnd,
+    UnitForce,
 )
 from planar_pushing.core.instant.solution import (
     SEPARATE,
@@ -31,17 +42,6 @@ from planar_pushing.core.instant.solution import (
     UNSOLVED,
     Pair,
     Twist,
-)
-from planar_pushing.core.instant.twist_line import (
-    length_of_twist,
-)
-from planar_pushing.core.instant.unit_forces import (
-    FORCE_END,
-    FORCES_INSIDE,
-    MOST_UNITS,
-    UNIT_FORCE,
-    ForceEnd,
-    UnitForce,
 )
 from planar_pushing.core.numbers import (
     INFINITY,

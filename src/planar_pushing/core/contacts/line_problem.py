@@ -19,10 +19,7 @@ from planar_pushing.core._record import (
     Record,
     size_of,
 )
-from planar_pushing.core.instant.directions import (
-    QUARTER_TURN,
-)
-from planar_pushing.core.instant.twist_line import (
+from planar_pushing.core.contacts.twist_line import (
     Power,
     Ranges,
     TwistLine,
@@ -30,6 +27,9 @@ from planar_pushing.core.instant.twist_line import (
     feet_ranges,
     power_on_line,
     term_of_foot,
+)
+from planar_pushing.core.instant.directions import (
+    QUARTER_TURN,
 )
 from planar_pushing.core.numbers import (
     INFINITY,

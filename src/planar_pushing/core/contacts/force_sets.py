@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.instant.unit_forces import (
+from planar_pushing.core.contacts.unit_forces import (
     FORCE_END,
     FORCES_INSIDE,
     INDEPENDENT,
