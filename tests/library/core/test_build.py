@@ -484,7 +484,7 @@ def test_the_wheel_is_for_one_platform_and_every_python_and_without_a_compiler_f
 
 @pytest.mark.slow
 def test_the_source_distribution_has_what_compiles_it(tmp_path):
-    wheel(tmp_path)
+    wheel(tmp_path, CC="/nonexistent")
     (archive,) = (tmp_path / "dist").glob("*.tar.gz")
     shutil.unpack_archive(archive, tmp_path / "unpacked")
     (source,) = (tmp_path / "unpacked").iterdir()

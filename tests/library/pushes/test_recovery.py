@@ -66,19 +66,19 @@ def test_predictions_are_as_good_as_those_of_the_true_support(name):
 
 @pytest.mark.slow
 def test_intervals_hold_the_truth_as_often_as_they_claim():
-    """Of 100 repetitions 90 are expected; the standard deviation is 3."""
+    """Of 40 repetitions 36 are expected; the standard deviation is 1.9."""
     support = pp.Points(WIDE, [1, 1, 1])
     truth = {
         "weight": 5.0, "contact_friction": 0.25, "center_of_pressure_x": 50.0,
         "center_of_pressure_y": 50.0, "spin_torque": np.hypot(*(np.array(WIDE) - 50.0).T).mean(),
     }  # fmt: skip
-    pushes = pushed(support, TRIANGLE, 5000, seed=2)
+    pushes = pushed(support, TRIANGLE, 2000, seed=2)
     held = dict.fromkeys(truth, 0)
-    for k in range(100):
+    for k in range(40):
         found = pp.identify(
             pushes.isel(push=slice(50 * k, 50 * k + 50)), resamples=60, spacing=15.0, seed=k
         )
         for name, value in truth.items():
             low, high = found.intervals[name]
             held[name] += low <= value <= high
-    assert min(held.values()) >= 82, held
+    assert min(held.values()) >= 31, held

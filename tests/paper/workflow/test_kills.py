@@ -24,7 +24,7 @@ from signals import interruptible
 pytestmark = pytest.mark.alone
 
 #: Seed of the moments, and their number; `KILLS=20 make test-all` tries more.
-SEED, KILLS = 0, int(os.environ.get("KILLS", "6"))
+SEED, KILLS = 0, int(os.environ.get("KILLS", "3"))
 COMMAND = [sys.executable, "-m", "planar_pushing"]
 ENVIRONMENT = os.environ | {"PYTHONPATH": str(PROJECT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)

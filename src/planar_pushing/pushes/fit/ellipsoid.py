@@ -15,7 +15,13 @@ from planar_pushing.pushes.fit.limit_surface import LimitSurface
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ellipsoid(LimitSurface):
-    """An object with an ellipsoidal limit surface; `matrix` is A, shape (3, 3)."""
+    """An object with an ellipsoidal limit surface.
+
+    Attributes
+    ----------
+    matrix : ndarray, shape (3, 3) or (n, 3, 3)
+        A, for all pushes or for each of them.
+    """
 
     matrix: Array
 
@@ -26,6 +32,8 @@ class Ellipsoid(LimitSurface):
         return cls(moved.T @ matrix @ moved)
 
     def motions(self, wrenches: Array) -> Array:
+        if self.matrix.ndim == 3:
+            return np.asarray((wrenches[:, None] @ self.matrix)[:, 0])
         return wrenches @ self.matrix
 
     def forces(self, reach: Array, velocities: Array) -> Array:

@@ -16,6 +16,8 @@ from planar_pushing.pushes.logs.measured import Measured
 STARTS = (0.15, 0.4)
 #: Errors above which they count in proportion: in directions, and in poses relative to the median error.
 LARGE_ANGLE, LARGE = 0.2, 1.5
+#: Step of a parameter, relative to it, or to 1, for a difference quotient.
+STEP = float(np.sqrt(np.finfo(float).eps))
 #: Ratio of spin torque to force times length of the initial ellipsoid, about that of a uniform pressure.
 SPIN = 0.7
 
@@ -59,9 +61,23 @@ def _from_motions(pushes: Measured) -> tuple[Ellipsoid, float]:
         return np.asarray((poses - pushes.observed) * scale).ravel()
 
     starts = [np.append(_round(), np.log(mu)) for mu in STARTS]
+    # All pushes with the parameters, and with each one changed in turn: one call for a Jacobian.
+    count = len(pushes)
+    repeated = pushes.part(np.tile(np.arange(count), 1 + len(starts[0])))
+
+    def jacobian(parameters: Array) -> Array:
+        steps = np.where(parameters < 0.0, -1.0, 1.0) * STEP * np.maximum(np.abs(parameters), 1.0)
+        every = parameters + np.vstack([np.zeros_like(steps), np.diag(steps)])
+        matrices = np.stack([model(each).matrix for each in every])
+        poses = Ellipsoid(np.repeat(matrices, count, axis=0)).poses(
+            repeated, np.repeat(np.exp(every[:, 5]), count)
+        )
+        changes = poses.reshape(-1, count, 3)[1:] - poses[:count]
+        return np.asarray((changes * scale).reshape(len(steps), -1).T / steps)
+
     large = LARGE * min(float(np.median(np.abs(errors(start)))) for start in starts)
     every: list[Any] = [
-        least_squares(errors, start, loss="soft_l1", f_scale=large) for start in starts
+        least_squares(errors, start, jacobian, loss="soft_l1", f_scale=large) for start in starts
     ]
     best = min(every, key=lambda result: float(result.cost))
     return model(best.x), float(np.exp(best.x[5]))

@@ -46,8 +46,12 @@ class LimitSurface(ABC):
     def wrenches(self, twists: Array) -> Array:
         return self.forces(np.tile(np.eye(3), (len(twists), 1, 1)), twists)
 
-    def poses(self, pushes: Measured, friction: float) -> Array:
-        """Displacements and rotations of the object's frame by pushes, shape (n, 3)."""
+    def poses(self, pushes: Measured, friction: float | Array) -> Array:
+        """Displacements and rotations of the object's frame by pushes, shape (n, 3).
+
+        The contact friction is that of all pushes, or of each of them, shape (n,).
+        """
+        friction = np.broadcast_to(np.asarray(friction, dtype=float), len(pushes))
         parts = pushes.path.shape[1]
         steps = -(-STEPS // parts)
         motion = _Motion.begin(pushes)
@@ -57,7 +61,7 @@ class LimitSurface(ABC):
         return motion.pose
 
     def _advance(
-        self, motion: _Motion, pushes: Measured, advance: Array, friction: float
+        self, motion: _Motion, pushes: Measured, advance: Array, friction: Array
     ) -> _Motion:
         """The motion after a small step of the finger, by the midpoint rule."""
         outline, radius = pushes.outline, motion.radius
@@ -79,7 +83,7 @@ class LimitSurface(ABC):
         )
 
     def _step(
-        self, pose: Array, seats: Seats, outline: Outline, radius: Array, advance: Array, friction: float
+        self, pose: Array, seats: Seats, outline: Outline, radius: Array, advance: Array, friction: Array
     ) -> tuple[Array, Array]:  # fmt: skip
         """Displacement of the object, and travel along the grown outline, in a small step of the finger."""
         places = places_of(seats, outline, radius)
@@ -87,7 +91,7 @@ class LimitSurface(ABC):
         step = np.column_stack([_turn(twist[:, :2], pose[:, 2]), twist[:, 2]])
         return step, slip - radius * twist[:, 2]
 
-    def _twist_of_push(self, places: Places, finger: Array, friction: float) -> tuple[Array, Array]:
+    def _twist_of_push(self, places: Places, finger: Array, friction: Array) -> tuple[Array, Array]:
         """Twist of the object, and the finger's motion along it: sticking, slipping or separating."""
         point, normal, tangent = places.point, places.normal, places.tangent
         reach = np.zeros((len(point), 2, 3))
@@ -102,7 +106,7 @@ class LimitSurface(ABC):
         )
         advance = (finger * normal).sum(axis=1)
         for sign in (1.0, -1.0):
-            edge = self._motion_under(reach, normal + sign * friction * tangent)
+            edge = self._motion_under(reach, normal + sign * friction[:, None] * tangent)
             motion = (reach @ edge[..., None])[..., 0]
             rate = (motion * normal).sum(axis=1)
             size = np.divide(advance, rate, out=np.zeros_like(rate), where=rate != 0.0)

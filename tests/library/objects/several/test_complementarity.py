@@ -9,8 +9,8 @@ import planar_pushing as pp
 
 #: Scenes by the number of contacts and the seed: those of every test run, and all.
 FEW = [(2, seed) for seed in range(20)] + [(3, seed) for seed in range(5000, 5005)]
-MANY = [(2, seed) for seed in range(20, 500)] + [(3, seed) for seed in range(5005, 5060)]
-MANY += [(4, seed) for seed in range(6000, 6015)]
+MANY = [(2, seed) for seed in range(20, 160)] + [(3, seed) for seed in range(5005, 5025)]
+MANY += [(4, seed) for seed in range(6000, 6006)]
 
 
 def require_equal(scene, seed, starts):
@@ -29,9 +29,9 @@ def test_random_scenes(part):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("part", range(25))
+@pytest.mark.parametrize("part", range(8))
 def test_many_random_scenes(part):
-    for count, seed in MANY[part::25]:
+    for count, seed in MANY[part::8]:
         require_equal(random_scene(seed, count), seed, 200 * count)
 
 
@@ -72,6 +72,6 @@ def test_degenerate_scenes():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("part", range(14))
+@pytest.mark.parametrize("part", range(5))
 def test_many_degenerate_scenes(part):
     assert compare_degenerate(range(10 + 10 * part, 20 + 10 * part)) >= 7
