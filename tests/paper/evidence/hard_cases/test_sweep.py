@@ -87,7 +87,7 @@ def test_a_push_of_subnormal_numbers():
     assert not is_wrong_next_to_the_fence(SUBNORMAL)
 
 
-@sizes(150, 3000)
+@sizes(150, 1000)
 def test_modes_are_those_of_the_oracle(count):
     found = Counter(map(decisions.decided, generators(count)))
     assert found[Decision.WRONG] == 0
