@@ -279,6 +279,16 @@ def test_the_panels_of_the_errors_are_the_comparisons(pictures, plotted):
         assert "0.70 (0.63\N{EN DASH}0.77)" in ratios(ax).values()
 
 
+def test_models_that_the_first_panel_lacks_are_after_the_others():
+    data = measured_pushes()
+    alone = data["polygons"]["with_corners"]["pose"]
+    alone["known_feet"] = dict(alone["uniform"])
+    (*_, row) = measured_errors.parts(data)
+    first, second = (part.errors.model.values.tolist() for part in row)
+    assert "known_feet" not in first
+    assert second == [*first, "known_feet"]
+
+
 def test_the_caption_counts_the_pushes():
     data = measured_pushes()
     data["three_feet"]["pushes"], data["polygons"]["corner_pushes"] = 123, 41

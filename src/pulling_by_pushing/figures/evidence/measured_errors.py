@@ -83,10 +83,18 @@ def parts(data: dict[str, Any]) -> list[list[Part]]:
 
 
 def _sort(row: list[Part]) -> list[Part]:
-    """Panels of a row with their models in the order of the medians of the first one."""
-    first = row[0].errors
-    order = first.model.values[np.argsort(first["median"].values.ravel(), kind="stable")]
-    return [Part(part.group, part.errors.sel(model=order)) for part in row]
+    """Panels of a row with their models in the order of the medians of the first one that has them."""
+    order: dict[str, None] = {}
+    for part in row:
+        medians = part.errors["median"].values.ravel()
+        order |= dict.fromkeys(part.errors.model.values[np.argsort(medians, kind="stable")])
+    return [
+        Part(
+            part.group,
+            part.errors.sel(model=[name for name in order if name in part.errors.model.values]),
+        )
+        for part in row
+    ]
 
 
 def _parts(data: dict[str, Any], group: Group) -> list[Part]:

@@ -107,7 +107,7 @@ def leads_away(scene, phi, share=None):
     )
 
 
-@sizes(20_000, 1_000_000)
+@sizes(20_000, 200_000)
 def test_motions_lead_away_from_the_force_and_lie_between_those_of_single_effects(count):
     rng = np.random.default_rng(SEED)
     scene, phi = scenes(rng, EffectSet.BOTH, "infinite", count), angles(rng, count)
@@ -138,7 +138,7 @@ def test_edges_of_cones_are_in_order(count):
     assert np.abs(pp.motion_cone(free).span - np.pi).max() <= ROUNDING
 
 
-@sizes(20_000, 1_000_000)
+@sizes(20_000, 200_000)
 @pytest.mark.parametrize("effects", EffectSet)
 def test_forces_of_limit_curves_are_at_most_those_of_translations(effects, count):
     rng = np.random.default_rng(SEED)
