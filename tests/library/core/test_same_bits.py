@@ -50,8 +50,8 @@ def answer_everything(seed):
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
-@pytest.mark.parametrize("part", range(4))
-def test_hundreds_of_hard_scenes(both, part):
+@pytest.mark.parametrize("part", range(2))
+def test_a_hundred_hard_scenes(both, part):
     for seed in range(60 * part, 60 * (part + 1)):
         answer_everything(seed)
     assert {*both.results} >= {"solve", "force_motions", "motion_cones", "load_ratios", "responses"}
@@ -81,7 +81,7 @@ def test_a_load_along_the_fence_without_friction(both, law):
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 def test_sides_on_the_fence(both):
-    for seed in range(60):
+    for seed in range(30):
         scene, random = hard_scene(seed)
         ends = -float(random.uniform(0.01, 2)), float(random.uniform(0.01, 2))
         slider = replace(scene.slider, side=ends, flush=True)

@@ -190,9 +190,9 @@ def test_the_same_bits_compiled_and_plain(both, law):
         pp.SupportFriction(support=pp.Points(FEET)), pp.SupportFriction(support=pp.Polygon(SQUARE)),
         pp.SupportFriction(support=pp.Ring(radius=0.8)),
     ]  # fmt: skip
-    force = np.array([0.1, 0.6, 1.1, 20.0])
+    force = np.array([0.1, 1.1, 20.0])
     for effect in supports:
-        for velocity in ((1.0, 0.4), (-1.0, 0.0), (0.0, 1.0), (0.0, 0.0)):
+        for velocity in ((1.0, 0.4), (-1.0, 0.0), (0.0, 0.0)):
             one = pp.Contact((-1, 0.2), law=pp.Coulomb(0.2), velocity=velocity)
             other = pp.Contact((1, 0.2), law=law, velocity=(0, 0.5), grip_force=force)
             answer = pp.solve_contacts([one, other], effects=[effect], outline=SQUARE)
