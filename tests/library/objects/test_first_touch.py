@@ -229,7 +229,9 @@ def test_a_hollow_wall_is_met_by_discs_that_fit_into_it(radius):
     assert bool(large.corner)
 
 
-@pytest.mark.parametrize("radius", [0.0, 0.05, 0.4, 5.0])
+@pytest.mark.parametrize(
+    "radius", [0.0, 0.4, *(pytest.param(each, marks=pytest.mark.slow) for each in (0.05, 5.0))]
+)
 @pytest.mark.parametrize("outline", ROUND[:5])
 def test_round_outlines_against_sampled_distances_from_polygons(outline, radius):
     polygon = outline.vertices(1e-4)

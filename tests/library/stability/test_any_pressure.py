@@ -129,7 +129,14 @@ def test_every_sampled_pressure_is_within_the_bounds_and_some_pressure_attains_t
             assert low - slack <= rotation <= high + slack
 
 
-@pytest.mark.parametrize("name", ["square", "L", "ring", "feet", "segment and disc", "small"])
+@pytest.mark.parametrize(
+    "name",
+    ["L", "ring", "feet"]
+    + [
+        pytest.param(each, marks=pytest.mark.slow)
+        for each in ("square", "segment and disc", "small")
+    ],
+)
 def test_forces_of_sampled_pressures_are_within_the_bounds(name):
     region, points, center, point, velocity, random = scenes(name, 7)
     result = pp.any_pressure(region, center, point=point, velocity=velocity, weight=3.0)
