@@ -14,6 +14,7 @@ from planar_pushing.explorer.state import (
     duration,
     entries,
     scale_support,
+    simulate_entries,
     with_entries,
     with_push,
     with_rod,
@@ -172,12 +173,15 @@ def with_outline(state: State, outline: Outline) -> State:
 
     The contact stays at its place if the new outline has the same kinds of pieces as the old one, such as a
     box of another size; otherwise it is at the middle of the lowest side. The push is then followed for as
-    long as it takes to cover its distance; an object that had no outline is pushed by a finger from below.
+    long as it takes to cover its distance, unless its velocity changes over time; an object that had no
+    outline is pushed by a finger from below.
     """
     support = even_support(outline)
     effects = tuple(_on_base(effect, support) for effect in state.scene.effects)
     place = _same_place(state, outline) or lowest_place(outline)
     changed = with_object(state, outline, effects, place)
+    if state.has_outline and len(simulate_entries(state).get("pusher", ())) > 1:
+        return changed
     options: dict[str, Any] = {"duration": duration(changed, state.magnitude)}
     if not state.has_outline:
         # The whole side would lie on a fence, and the contact is one point of it.

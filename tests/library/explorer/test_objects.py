@@ -29,7 +29,7 @@ from planar_pushing.explorer.pictures.following import follow
 from planar_pushing.explorer.pictures.handles import drag_handle, handles_of, nudge_handle
 from planar_pushing.explorer.pictures.maps import axes_of
 from planar_pushing.explorer.presets import gallery, preset
-from planar_pushing.explorer.state import Handle, with_effect
+from planar_pushing.explorer.state import Handle, with_effect, with_entries
 from planar_pushing.explorer.supports import (
     LABELS,
     support_name,
@@ -284,6 +284,14 @@ def test_an_own_outline_turns_the_fence_into_a_finger():
     assert preset("figure_03").shape == "fence"
     assert with_kind(preset("figure_03"), BOX).shape == "finger"
     assert with_outline(preset("box_side"), pp.Outline([(0, 0), (2, 0), (2, 1), (0, 1)])).flush
+
+
+def test_another_size_keeps_a_velocity_that_changes_over_time():
+    pieces = [{"time": 0.0, "angle": 90.0}, {"time": 0.5, "angle": 60.0}]
+    state = with_entries(preset("box_side"), simulate={"pusher": pieces, "duration": 1.5})
+    wide = with_box(state, 3.0, 1.0)
+    assert wide.scene.slider.outline != state.scene.slider.outline
+    assert wide.file.simulate == state.file.simulate
 
 
 # -- supports ----------------------------------------------------------------------------------------
