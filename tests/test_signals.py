@@ -4,6 +4,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from signals import uninterruptible
 
 TESTS = Path(__file__).parent
@@ -17,6 +19,7 @@ FILES = [
 ]
 
 
+@pytest.mark.slow
 def test_they_pass_in_the_background():
     assert len(FILES) >= 2
     found = subprocess.run(

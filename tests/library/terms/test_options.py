@@ -32,9 +32,10 @@ def test_a_simulation_takes_an_option_or_its_value(tmp_path, method):
         ]
         xr.testing.assert_identical(*logs)
         assert (logs[0].attrs["method"], logs[0].attrs["on_ambiguity"]) == (method, policy)
-        path = tmp_path / f"{policy}.nc"
-        pp.simulate(scene, **given, **step, method=method, on_ambiguity=policy, path=path).close()
-        assert type(xr.load_dataset(path, engine="h5netcdf").attrs["method"]) is str
+    path = tmp_path / "log.nc"
+    pp.simulate(scene, **given, **step, method=method, on_ambiguity=policy, path=path).close()
+    attributes = xr.load_dataset(path, engine="h5netcdf").attrs
+    assert {type(attributes[name]) for name in ("method", "on_ambiguity")} == {str}
 
 
 @pytest.mark.parametrize("kind", AtZeroNormal)

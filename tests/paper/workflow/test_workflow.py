@@ -86,10 +86,14 @@ PAPER = "src/pulling_by_pushing"
     ("edits", "stale"),
     [
         (WITHOUT_EFFECT, {"all": 1}),
-        ([(CONFIG, *ADDED)], {"motion_cones": 1, "figure": 1}),
-        ([(f"{PAPER}/figures/paper/mappings.py", *CODE),
-          ("src/planar_pushing/simulation/pusher.py", *CODE)],
-         {"figure": 1, "simulations_smoke": 1}),
+        pytest.param(
+            [(CONFIG, *ADDED)], {"motion_cones": 1, "figure": 1}, marks=pytest.mark.slow
+        ),
+        pytest.param(
+            [(f"{PAPER}/figures/paper/mappings.py", *CODE),
+             ("src/planar_pushing/simulation/pusher.py", *CODE)],
+            {"figure": 1, "simulations_smoke": 1}, marks=pytest.mark.slow,
+        ),
     ],
 )  # fmt: skip
 def test_only_what_depends_on_edits_reruns(partly_built, edits, stale):
@@ -163,6 +167,7 @@ def write_golden(cones, path):
     list_digests(path.parent, [path.stem])
 
 
+@pytest.mark.slow
 def test_golden_check_fails_the_run_after_everything_else_and_says_why(fresh):
     study = fresh.root / fresh.study
     study.write_text(CONES, encoding="utf-8")

@@ -2,6 +2,7 @@
 
 import re
 
+import pytest
 from evidence.claims.ledgers import ledger
 from report.setting import set_up
 
@@ -38,6 +39,7 @@ def test_every_formula_is_between_dollar_signs():
     assert {where: found for where, found in wrong.items() if found} == {}
 
 
+@pytest.mark.slow
 def test_every_formula_can_be_set(tmp_path):
     setting = set_up(tmp_path)
     setting.write_ledger()
