@@ -64,7 +64,7 @@ PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
 test: lint $(CORE)
 	$(PYTEST)
 
-test-all: $(CORE) ## run the slow tests: workflow, manual, processors, failures, browser, Slurm; 45 minutes
+test-all: $(CORE) ## run the slow tests: workflow, manual, processors, failures, browser, Slurm; half an hour
 	$(PYTEST) -m slow
 	$(BIN)/pytest -m alone
 	$(PROCESSORS)
