@@ -154,7 +154,7 @@ OPTIONS = {
 if platform.machine() == "x86_64" and sys.platform == "linux":
     OPTIONS |= {"-Ofast -mfma -ffp-contract=fast": True, "-mfpmath=387": False}
 #: The first option in every run of the tests, the others in the slow ones.
-SLOW_OPTIONS = [
+OPTION_CASES = [
     pytest.param(option, marks=pytest.mark.slow if i else ()) for i, option in enumerate(OPTIONS)
 ]
 #: Whether numbers below the smallest normal one survive beside a library, and what it says of its bits.
@@ -167,7 +167,7 @@ print(float("5e-324") * 2.0, module.probe(*eval(sys.argv[2], {"nan": float("nan"
 """
 
 
-@pytest.mark.parametrize("option", [*SLOW_OPTIONS, "CFLAGS", "LDFLAGS"])
+@pytest.mark.parametrize("option", [*OPTION_CASES, "CFLAGS", "LDFLAGS"])
 def test_options_of_the_compiler_change_no_results(made_up, tmp_path, monkeypatch, capsys, option):
     if option in OPTIONS:
         monkeypatch.setenv("CC", f"cc {option}")
@@ -188,7 +188,7 @@ def test_options_of_the_compiler_change_no_results(made_up, tmp_path, monkeypatc
     assert ran.stdout == f"1e-323 {RESULTS}\n"
 
 
-@pytest.mark.parametrize("option", SLOW_OPTIONS)
+@pytest.mark.parametrize("option", OPTION_CASES)
 def test_a_library_with_other_results_is_refused(made_up, tmp_path, monkeypatch, capsys, option):
     """As if the options of the build undid nothing, and did not set a level of optimization either."""
     monkeypatch.setattr(hook.compiler, "FLAGS", "-fPIC -w -O2 " + option)

@@ -192,7 +192,7 @@ def test_the_same_bits_compiled_and_plain(both, law):
     ]  # fmt: skip
     force = np.array([0.1, 1.1, 20.0])
     for effect in supports:
-        for velocity in ((1.0, 0.4), (-1.0, 0.0), (0.0, 0.0)):
+        for velocity in ((1.0, 0.4), (-1.0, 0.0), (0.0, 1.0), (0.0, 0.0)):
             one = pp.Contact((-1, 0.2), law=pp.Coulomb(0.2), velocity=velocity)
             other = pp.Contact((1, 0.2), law=law, velocity=(0, 0.5), grip_force=force)
             answer = pp.solve_contacts([one, other], effects=[effect], outline=SQUARE)
