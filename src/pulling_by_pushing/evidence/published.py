@@ -175,12 +175,8 @@ def _by_poses(pushes: xr.Dataset, options: Mapping[str, Any]) -> dict[str, Any]:
         "comparison": by_side,
         "with_corners": _table(comparison),
         "objects": {
-            name: {
-                model: {key: entry[key] for key in ("median", "ratio")}
-                for model, entry in table["pose"].items()
-            }
+            name: _table(_part(comparison, (pushed == name) & ~corner))["pose"]
             for name in _names(pushes)
-            for table in [_table(_part(comparison, (pushed == name) & ~corner))]
         },
     }
 

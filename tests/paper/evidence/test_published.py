@@ -117,11 +117,7 @@ def test_the_numbers_of_a_folder(tmp_path):
     polygons = found["polygons"]
     assert polygons["comparison"].keys() == polygons["with_corners"].keys() == {"pose"}
     # The one polygon is all polygons.
-    of_all = {
-        model: {key: entry[key] for key in ("median", "ratio")}
-        for model, entry in polygons["comparison"]["pose"].items()
-    }
-    assert polygons["objects"] == {"abs_rect1": of_all}
+    assert polygons["objects"] == {"abs_rect1": polygons["comparison"]["pose"]}
     assert (polygons["pushes"], polygons["corner_pushes"], polygons["left_out"]) == (16, 0, 0)
     assert polygons["length"] == {"abs_rect1": 45.0}
     about = found["about_a_foot"]

@@ -106,14 +106,26 @@ def _for_a_triangle(content: dict[str, Any]) -> float:
     return sum(int(log["pushes"]) for log in logs) / len(logs) / 2
 
 
-def _extreme(choose: Callable[[list[float]], float]) -> Callable[[dict[str, Any]], float]:
-    """Smallest or largest ratio of the identified pressure to the fitted ellipsoid among the polygons."""
+def _of_polygon(name: str, choose: Callable[..., dict[str, Any]]) -> Numbers:
+    """Ratio of the identified pressure to the fitted ellipsoid for one of the polygons, with its interval."""
 
-    def compute(content: dict[str, Any]) -> float:
+    def entry(content: dict[str, Any]) -> dict[str, Any]:
         polygons = content["polygons"]["objects"].values()
-        return choose([float(models[IDENTIFIED]["ratio"]) for models in polygons])
+        return choose(
+            [models[IDENTIFIED] for models in polygons], key=lambda chosen: chosen["ratio"]
+        )
 
-    return compute
+    what = f"{name} ratio among the polygons"
+    ends = (("low", 0), ("high", 1))
+    return {
+        f"pushes-objects-{name}": _read(lambda content: entry(content)["ratio"], what, 2)
+    } | {
+        f"pushes-objects-{name}-{end}": _read(
+            lambda content, index=index: entry(content)["ratio_interval"][index],
+            f"interval of the {what}", 2,
+        )
+        for end, index in ends
+    }  # fmt: skip
 
 
 MEASURED: Numbers = {
@@ -144,7 +156,7 @@ MEASURED: Numbers = {
     "pushes-feet-motion-ratio-90": _tail_ratio("feet", "motion", ""),
     "pushes-feet-motion-quartic-ratio-90": _tail_ratio("feet", "motion", "quartic-"),
     **_ratio("sides", "pose"),
-    "pushes-objects-lowest": _read(_extreme(min), "lowest ratio among the polygons", 2),
-    "pushes-objects-highest": _read(_extreme(max), "highest ratio among the polygons", 2),
+    **_of_polygon("lowest", min),
+    **_of_polygon("highest", max),
     **_medians("face", "motion", IDENTIFIED, "uniform", FITTED, QUARTIC),
 }
