@@ -2,7 +2,7 @@
 
 ``python tests/mutants FOLDER`` copies the project into a folder, compiles there one library that has all
 changes as switches, and writes ``results.json`` and a table. The tests are the fast ones of the core, the
-mechanics, the simulation and the stability.
+mechanics, the objects, the simulation and the stability.
 """
 
 from __future__ import annotations

@@ -10,7 +10,9 @@ from pathlib import Path
 import pytest
 
 FOLDER = Path(__file__).resolve().parents[2]
-ROOMS = [f"tests/library/{room}" for room in ("core", "mechanics", "simulation", "stability")]
+ROOMS = [
+    f"tests/library/{room}" for room in ("core", "mechanics", "objects", "simulation", "stability")
+]
 RESULTS = "results.json"
 sys.path.insert(0, str(FOLDER / "tests"))
 

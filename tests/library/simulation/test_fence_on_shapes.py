@@ -186,3 +186,16 @@ def test_in_steps_a_side_between_arcs_lies_down_after_an_impact(tilt, radius, st
     away = log.position.values[-1] - exact.position.values[-1]
     # The instant of an impact within its step decides how far the side slips.
     assert np.hypot(*away) < 0.01
+
+
+@pytest.mark.parametrize("aside", [1, -1])
+def test_an_outline_of_arcs_alone_rolls_from_arc_to_arc(aside):
+    """Over some joints, in both directions; the arcs leave nothing of the sides."""
+    egg = pp.rounded(SQUARE, [0.5, 1.5, 0.5, 1.5] if aside > 0 else [1.5, 0.5, 1.5, 0.5])
+    support = friction(pp.Polygon.rectangle(1.0, 1.0))
+    scene = scene_of(egg, support, 2.0, (-0.5 * aside, -1.0))
+    log = push(scene, (aside, 0.7), 6.0)
+    assert log.attrs["stopped"] == ""
+    assert (log.event == pp.Event.END_OF_SIDE).sum() >= 2
+    stepped = push(scene, (aside, 0.7), 6.0, method="time-stepping", step=1e-3)
+    assert pose_at_the_end(stepped) == pytest.approx(pose_at_the_end(log), abs=2e-3)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import replace
 
@@ -202,6 +203,16 @@ def test_hundreds_of_pieces(effects):
 def test_a_pusher_starts_like_a_power_of_the_time(effects, power, rtol):
     """Normal and tangential velocity are zero at first, and at the same rate."""
     sound(of(effects, velocity=lambda t: (0.1 * t**power, t**power)), rtol=rtol)
+
+
+@pytest.mark.parametrize("effects", EFFECTS)
+def test_starts_in_all_directions_last(effects):
+    """Also those in which the contact is about to slip, and whose first motion is lost in rounding."""
+    for aside, power in itertools.product(
+        [*np.linspace(-0.7, 0.7, 8), 0.42, 0.48, 0.51], (2, 3, 4, 5)
+    ):
+        case = of(effects, velocity=lambda t, a=aside, p=power: (a * t**p, t**p))
+        assert case.log(rtol=1e-6).attrs["stopped"] == "", (aside, power)
 
 
 def test_a_pusher_starts_slower_than_any_power():

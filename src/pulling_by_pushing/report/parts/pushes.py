@@ -107,7 +107,7 @@ def _for_a_triangle(content: dict[str, Any]) -> float:
 
 
 def _of_polygon(name: str, choose: Callable[..., dict[str, Any]]) -> Numbers:
-    """Ratio of the identified pressure to the fitted ellipsoid for one of the polygons, with its interval."""
+    """Ratio of the identified pressure to the fitted ellipsoid for a polygon, with its interval."""
 
     def entry(content: dict[str, Any]) -> dict[str, Any]:
         polygons = content["polygons"]["objects"].values()

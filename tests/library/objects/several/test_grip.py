@@ -209,6 +209,31 @@ def test_a_firm_grip_moves_the_object_with_the_fingers():
     assert only.inner_force[0] == pytest.approx(50.0 + (only.forces[0, 0] - 50.0) / 2.0)
 
 
+@pytest.mark.parametrize("angle", [0.3, 1.1, -2.0])
+def test_the_inner_force_is_along_the_line_through_both_fingers(angle):
+    c, s = math.cos(angle), math.sin(angle)
+
+    def turned(points):
+        return np.array(points) @ np.array([[c, s], [-s, c]])
+
+    effects = [pp.SupportFriction(support=pp.Points(turned(FEET)))]
+    places, count = turned([(-1, 0.3), (1, 0.3)]), 0
+    line = (places[1] - places[0]) / 2.0
+    for velocity in ((0.2, 0.5), (0.3, -0.4), (0.0, 1.0)):
+        one = pp.Contact(places[0], law=pp.Coulomb(0.3), velocity=tuple(turned(velocity)))
+        other = pp.Contact(
+            places[1], law=pp.Coulomb(0.4), velocity=tuple(turned((0.0, -0.2))), grip_force=2.0
+        )
+        for each in pp.solve_contacts([one, other], effects=effects, outline=turned(SQUARE)):
+            if pp.ContactMode.SEPARATE not in each.modes:
+                for forces, inner in zip(
+                    (each.forces, each.forces_end), each.inner_force, strict=True
+                ):
+                    assert inner == pytest.approx((forces[0] - forces[1]) @ line / 2.0)
+                    count += 1
+    assert count >= 6
+
+
 def test_fingers_that_slide_along_leave_it_at_rest():
     scene = Gripper([1, 1, 1, 1], 0.0, (0.0, 1.0), 1.0, (0.3, 0.3), 2.0)
     (only,) = scene.answer()

@@ -201,3 +201,25 @@ def test_a_point_finger_in_an_inner_corner():
     rough = pp.scene_at((15, 0), (-1, 1), effects=effects, contact=pp.PerfectlyRough())
     (alone,) = (one for one in pp.solve(rough, np.pi / 2, np.sqrt(2.0)) if str(one.mode) == "STICK")
     assert stick.twist == pytest.approx(rough.to_object(alone.twist, "twist"), abs=1e-9)
+
+
+@pytest.mark.parametrize("turns", range(4))
+def test_a_load_along_an_axis_of_the_object_pulls_it_down_a_slope(turns):
+    """Two fingers at rest only brake it: no contact does work, and the load alone is along x or y."""
+    turn = np.linalg.matrix_power([[0, -1], [1, 0]], turns).T
+    wedge = np.array([(-1, 0), (1, -1), (1, 1)]) @ turn
+    feet = np.array([(-0.6, 0), (0.3, -0.45), (0.3, 0.45)]) @ turn
+    effects = [
+        pp.SupportFriction(support=pp.Points(feet)),
+        pp.Inertia(gyration_radius=0.6),
+        pp.Load(force=tuple(np.array([0, -3]) @ turn), center=(0, 0)),
+    ]
+    contacts = [
+        pp.Contact(tuple(wedge[0] + part * (wedge[1] - wedge[0])), law=pp.Coulomb(0.1), velocity=(0, 0))
+        for part in (0.3, 0.7)
+    ]  # fmt: skip
+    (only,) = pp.solve_contacts(contacts, effects=effects, outline=wedge)
+    assert only.modes == (pp.ContactMode.SLIP_RIGHT,) * 2
+    # Of the load, 3 sin(a) is along the slope, tan(a) = 1/2; friction is 0.1 times 3 cos(a), and 1.
+    along = (3.0 - 0.6) / np.sqrt(5.0) - 1.0
+    assert only.twist @ [*(np.array([2, -1]) / np.sqrt(5.0) @ turn), 0.0] == pytest.approx(along)

@@ -7,7 +7,7 @@ at any time.
 
 from __future__ import annotations
 
-from planar_pushing.core.instant.solution import SEPARATE
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT
 from planar_pushing.core.motion.integration.event_search import (
     MISJUDGED,
     NOTHING,
@@ -223,35 +223,54 @@ def _enter(system: System) -> None:
         if reason != GOES_ON:
             _stop(run, reason)
         else:
-            _begin_mode(system, NO_MODE)
+            _begin_mode(system, False)
 
 
 def _change_mode(system: System) -> None:
     """Choose the mode that follows an event."""
     run = system.run
-    excluded = run.mode if run.cause == MISJUDGED else NO_MODE
+    misjudged: bool = run.cause == MISJUDGED
+    if misjudged:
+        _note_misjudged(run)
     _count_event(system)
     if run.at_once > MOST_AT_ONCE or run.events > MOST_EVENTS:
         _stop(run, TOO_MANY_EVENTS)
     elif run.phase == CHANGES:
-        _begin_mode(system, excluded)
+        _begin_mode(system, misjudged)
+
+
+def _note_misjudged(run: Run) -> None:
+    """Remember that the mode was misjudged, so that it is not chosen again at this instant."""
+    if run.time > run.mode_began:
+        _forget_misjudged(run)
+    run.misjudged[run.mode] = 1.0
+
+
+def _forget_misjudged(run: Run) -> None:
+    for contact in range(SLIP_LEFT + 1):
+        run.misjudged[contact] = 0.0
 
 
 def _settle_and_choose(
-    system: System, slack: float, excluded: int, point: int, other_end: int
+    system: System, slack: float, excludes: bool, point: int, other_end: int
 ) -> int:
-    """Settle a side on the fence, and choose a mode; return `GOES_ON` or why there is none."""
+    """Settle a side on the fence, and choose a mode; return `GOES_ON` or why there is none.
+
+    The modes that were misjudged at this instant can be excluded at a contact.
+    """
     run, state = system.run, vector_of(system, STATE)
     during = span_at(system.fence, run.piece)
+    if not excludes:
+        _forget_misjudged(run)
     reason = settle(
         system, during, run.time, state, slack, current=run.mode, policy=current_policy(system)
     )
-    if reason == GOES_ON and not choose_mode(system, excluded, point, other_end):
+    if reason == GOES_ON and not choose_mode(system, excludes, point, other_end):
         return INCONSISTENT
     return reason
 
 
-def _begin_mode(system: System, excluded: int) -> None:
+def _begin_mode(system: System, excludes: bool) -> None:
     """Choose a mode and begin it, or stop if none is consistent."""
     run = system.run
     run.phase = LOGS
@@ -262,17 +281,17 @@ def _begin_mode(system: System, excluded: int) -> None:
     during = span_at(system.fence, run.piece)
     point, other_end = run.point, run.other_end
     touch_wall(system, during, run.time, state)
-    reason = _settle_and_choose(system, SLACK, excluded, point, other_end)
+    reason = _settle_and_choose(system, SLACK, excludes, point, other_end)
     if reason == GOES_ON and leave_corner(system, during, run.time, state, run.mode):
-        reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
+        reason = _settle_and_choose(system, SLACK, False, point, other_end)
     if reason == INCONSISTENT and count_points(system) > 0:
         # The ends of a side can meet the fence in turn, faster and faster, until it lies there.
-        reason = _settle_and_choose(system, RATTLES, NO_MODE, point, other_end)
+        reason = _settle_and_choose(system, RATTLES, False, point, other_end)
     if reason == INCONSISTENT and close_on_foot(system, during, run.time, state):
-        reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
+        reason = _settle_and_choose(system, SLACK, False, point, other_end)
     if reason == INCONSISTENT and close_contact(system, during, run.time, state, policy):
         # A contact can open and close, faster and faster, while a support point comes to rest.
-        reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
+        reason = _settle_and_choose(system, SLACK, False, point, other_end)
     if reason == INCONSISTENT and center_height(system, state) <= SLACK:
         reason = LAID_DOWN  # another event comes first, or a fence has passed over a slider at rest
     if reason != GOES_ON:

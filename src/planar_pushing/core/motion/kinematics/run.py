@@ -204,6 +204,15 @@ class Wall(Record):
     pocket: float
 
 
+class Misjudged(Record):
+    """Whether each contact mode, by its number, was misjudged at an instant."""
+
+    separate: bool
+    stick: bool
+    slip_right: bool
+    slip_left: bool
+
+
 class Run(Record):
     """The memory of a run, at the beginning of a row of results.
 
@@ -215,8 +224,8 @@ class Run(Record):
     ended, rows, changes, events, at_once : bool, int, int, int, int
         Whether the run has ended; how many rows of its log are new; changes of the mode; events, and how
         many of them at one instant.
-    mode : int
-        Current contact mode.
+    mode, misjudged : int, Misjudged
+        Current contact mode; modes that were chosen at this instant and did not last.
     time, until, event_time, mode_began, kink, checked : float
         Times of the state, the end of the current step, an event in it, the choice of the mode, a kink of
         the motion, and the last check for progress.
@@ -284,6 +293,7 @@ class Run(Record):
     events: int
     at_once: int
     mode: int
+    misjudged: Misjudged
     time: float
     until: float
     event_time: float

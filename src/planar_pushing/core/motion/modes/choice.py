@@ -125,10 +125,10 @@ def _state_at_candidate(system: System, state: RunState, index: int) -> RunState
     return elsewhere
 
 
-def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bool:
+def choose_mode(system: System, excludes: bool, point: int, other_end: int) -> bool:
     """Choose a consistent mode by the policy; return whether there is one.
 
-    A contact mode can be excluded at a contact.
+    The contact modes that were misjudged can be excluded at a contact.
     """
     run, state, piece = system.run, vector_of(system, STATE), system.run.piece
     current, policy, time = run.mode, current_policy(system), run.time
@@ -136,7 +136,8 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
     for i in range(count):
         candidate = candidate_of(system, i)
         same: bool = candidate.point == point and candidate.other_end == other_end
-        if same and contact_mode_of(candidate_at(system, i, piece)) == excluded:
+        contact = contact_mode_of(candidate_at(system, i, piece))
+        if excludes and same and run.misjudged[contact] != 0.0:
             candidate.contact = NO_MODE
     chosen, solutions = _preferred_of_lasting(system, count, current, policy, time, state, False)
     if chosen < 0:

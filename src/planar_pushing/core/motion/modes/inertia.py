@@ -54,6 +54,7 @@ from planar_pushing.core.supports.tolerances import (
     AT_REST,
     NO_DIRECTION,
     PART_OF_STEP,
+    PUSHES,
     STOPPED,
 )
 
@@ -318,8 +319,9 @@ def _opposed_twist(
     """
     x, y = to_body(pose.rod, v_x, v_y)
     starts: bool = mode.start.x != 0.0 or mode.start.y != 0.0 or mode.start.spin != 0.0
-    # The velocity of a start is the difference of those of contact and pusher, and loses digits.
-    slowest = AT_REST if starts else NO_DIRECTION
+    # The velocity of a start is the difference of those of contact and pusher, and loses digits; but its
+    # direction changes with the acceleration of the pusher.
+    slowest = PUSHES if starts else NO_DIRECTION
     if size_of_twist(v_x, v_y, spin) > slowest * system.run.speed:
         return x, y, spin
     if starts:

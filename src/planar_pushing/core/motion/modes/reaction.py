@@ -52,8 +52,11 @@ def cone_margin(system: System, f_x: float, f_y: float, smallest: float) -> floa
     half = (scene.left - scene.right) / 2.0 + system.run.wall.pocket
     if half > QUARTER_TURN:
         return 1.0
-    angle = half - fabs(atan2(f_x, f_y))
-    return angle * size / (size + smallest) if size > 0.0 else 0.0
+    if size == 0.0:
+        return 0.0
+    # A force that is the rounding error of zero has any direction; the square makes it negligible.
+    part = smallest / size
+    return (half - fabs(atan2(f_x, f_y))) / (1.0 + part * part)
 
 
 def moment_of(pose: Pose, f_x: float, f_y: float) -> float:
