@@ -222,6 +222,27 @@ def test_a_pusher_starts_slower_than_any_power():
     assert log.evaluations.max() <= EVALUATIONS
 
 
+OFFSETS = [
+    sign * size for size in (0.0, 2e-15, 6e-15, 1e-14, 1e-13, 1e-12, 1e-9) for sign in (1, -1)
+]
+
+
+@pytest.mark.parametrize(
+    "offset",
+    [*OFFSETS, pytest.param(-1e-11, marks=known("a force of 1e11 units makes steps too short"))],
+)
+def test_an_edge_whose_force_has_no_normal_acceleration(offset):
+    """Friction beyond it stops a slip at once, by an impulse; a little less, by an unbounded force."""
+    case = of("mass", mu=2.0 * (1.0 + offset), length=math.sqrt(2.0), psi=math.pi / 4,
+              velocity=lambda t: (1.0, t))  # fmt: skip
+    case = replace(case, scene=replace(case.scene, effects=(pp.Inertia(gyration_radius=1.0),)))
+    log = case.log()
+    assert log.attrs["stopped"] == ""
+    stuck = of("mass", mu=3.0, length=math.sqrt(2.0), psi=math.pi / 4, velocity=lambda t: (1.0, t))
+    stuck = replace(stuck, scene=replace(stuck.scene, effects=case.scene.effects))
+    assert log.twist.values[-1] == pytest.approx(stuck.log().twist.values[-1], abs=1e-6)
+
+
 # --- Loads ---------------------------------------------------------------------------------------
 
 

@@ -32,16 +32,19 @@ def _read(
     )
 
 
+def _at(content: dict[str, Any], path: tuple[str, ...]) -> Any:
+    """What the file has at a path of keys."""
+    node: Any = content
+    for key in path:
+        node = node[key]
+    return node
+
+
 def _value(*path: str, digits: int = 0, unit: str = "1", factor: float = 1.0) -> Quantity:
     """A number in the file at a path of keys, multiplied by a factor."""
-
-    def compute(content: dict[str, Any]) -> float:
-        node: Any = content
-        for key in path:
-            node = node[key]
-        return factor * float(node)
-
-    return _read(compute, ".".join(path), digits, unit)
+    return _read(
+        lambda content: factor * float(_at(content, path)), ".".join(path), digits, unit
+    )  # fmt: skip
 
 
 def _median(group: str, quantity: str, model: str) -> Quantity:
@@ -53,14 +56,24 @@ def _median(group: str, quantity: str, model: str) -> Quantity:
 
 def _ratio(group: str, quantity: str) -> Numbers:
     """Ratio of the median of the identified pressure to that of the fitted ellipsoid, with its interval."""
-    part, key = GROUPS[group]
-    return _with_ends(f"pushes-{group}-{quantity}-ratio", part, key, quantity, IDENTIFIED)
+    path = (*GROUPS[group], quantity, IDENTIFIED)
+    return _with_ends(f"pushes-{group}-{quantity}-ratio", lambda x: _at(x, path), ".".join(path))
 
 
 def _against(group: str, quantity: str, rival: str) -> Numbers:
     """Ratio of the median of the identified pressure to that of a rival, with its interval."""
-    path = (GROUPS[group][0], "against", RIVALS[rival], quantity)
-    return _with_ends(f"pushes-{group}-{quantity}-{rival}ratio", *path)
+    path, name = (GROUPS[group][0], "against", RIVALS[rival], quantity), f"{quantity}-{rival}ratio"
+    return _with_ends(f"pushes-{group}-{name}", lambda x: _at(x, path), ".".join(path))
+
+
+def _of_polygon(name: str, choose: Callable[..., dict[str, Any]]) -> Numbers:
+    """The ratio of one of the polygons, with its interval."""
+
+    def entry(content: dict[str, Any]) -> dict[str, Any]:
+        polygons = content["polygons"]["objects"].values()
+        return choose([models[IDENTIFIED] for models in polygons], key=lambda x: x["ratio"])
+
+    return _with_ends(f"pushes-objects-{name}", entry, f"polygons: the {name}")
 
 
 def _tail_ratio(group: str, quantity: str, rival: str) -> Quantity:
@@ -68,19 +81,16 @@ def _tail_ratio(group: str, quantity: str, rival: str) -> Quantity:
     return _value(GROUPS[group][0], "against", RIVALS[rival], quantity, "ratio_90", digits=2)
 
 
-def _with_ends(name: str, *path: str) -> Numbers:
-    """A ratio at a path of keys, and the ends of its interval."""
+def _with_ends(name: str, find: Callable[[dict[str, Any]], dict[str, Any]], what: str) -> Numbers:
+    """A ratio and the ends of its interval, of an entry that is found in the file."""
 
     def end(index: int) -> Quantity:
-        def compute(content: dict[str, Any]) -> float:
-            node: Any = content
-            for key in (*path, "ratio_interval"):
-                node = node[key]
-            return float(node[index])
+        return _read(
+            lambda content: find(content)["ratio_interval"][index], f"{what}.ratio_interval", 2
+        )
 
-        return _read(compute, ".".join((*path, "ratio_interval")), 2)
-
-    return {name: _value(*path, "ratio", digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
+    ratio = _read(lambda content: find(content)["ratio"], f"{what}.ratio", 2)
+    return {name: ratio, f"{name}-low": end(0), f"{name}-high": end(1)}
 
 
 def _medians(group: str, quantity: str, *models: str) -> Numbers:
@@ -104,28 +114,6 @@ def _for_a_triangle(content: dict[str, Any]) -> float:
     """Mean number of pushes of a triangle in the half to which a model is fitted."""
     logs = [*content["three_feet"]["logs"].values(), *content["patch"]["logs"].values()]
     return sum(int(log["pushes"]) for log in logs) / len(logs) / 2
-
-
-def _of_polygon(name: str, choose: Callable[..., dict[str, Any]]) -> Numbers:
-    """Ratio of the identified pressure to the fitted ellipsoid for a polygon, with its interval."""
-
-    def entry(content: dict[str, Any]) -> dict[str, Any]:
-        polygons = content["polygons"]["objects"].values()
-        return choose(
-            [models[IDENTIFIED] for models in polygons], key=lambda chosen: chosen["ratio"]
-        )
-
-    what = f"{name} ratio among the polygons"
-    ends = (("low", 0), ("high", 1))
-    return {
-        f"pushes-objects-{name}": _read(lambda content: entry(content)["ratio"], what, 2)
-    } | {
-        f"pushes-objects-{name}-{end}": _read(
-            lambda content, index=index: entry(content)["ratio_interval"][index],
-            f"interval of the {what}", 2,
-        )
-        for end, index in ends
-    }  # fmt: skip
 
 
 MEASURED: Numbers = {

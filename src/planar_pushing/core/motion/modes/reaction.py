@@ -14,7 +14,7 @@ from planar_pushing.core.instant.solution import SLIP_RIGHT, STICK
 from planar_pushing.core.motion.kinematics.mode import slip_side
 from planar_pushing.core.motion.kinematics.shapes import Pose
 from planar_pushing.core.motion.kinematics.system import System
-from planar_pushing.core.supports.tolerances import SLACK
+from planar_pushing.core.supports.tolerances import RESOLUTION, SLACK
 
 
 class Reaction(NamedTuple):
@@ -96,7 +96,7 @@ def reaction_of(system: System, pose: Pose, contact: int, x: float, y: float) ->
     # A force without normal acceleration cannot keep the contact closed; the negative size rejects the
     # slip.
     square = pose.arm_x * pose.arm_x + pose.arm_y * pose.arm_y
-    smallest = SLACK * (1.0 / system.scene.mass + square / system.run.moment)
+    smallest = RESOLUTION * (1.0 / system.scene.mass + square / system.run.moment)
     size = -y / normal if fabs(normal) > smallest else -system.run.force
     return Reaction(size * e_x, size * e_y, x + size * along, 0.0)
 
