@@ -234,6 +234,23 @@ def test_the_inner_force_is_along_the_line_through_both_fingers(angle):
     assert count >= 6
 
 
+def test_both_fingers_take_what_they_can_of_a_load_at_rest():
+    """The held one all of its normal part, and friction of the other one as much as the grip allows.
+
+    The load's line is such that the torque about the center vanishes with it.
+    """
+    effects = [
+        pp.SupportFriction(support=pp.Points.rectangle(1.6, 1.6), weight=2.3),
+        pp.Load(force=(-1.0, 2.0), center=(0.25, 0.0)),
+    ]
+    held = pp.Contact((-1, 0), law=pp.Coulomb(0.0), velocity=(0, 0))
+    presses = pp.Contact((1, 0), law=pp.Coulomb(1.0), velocity=(0, 0), grip_force=0.5)
+    (only,) = pp.solve_contacts([held, presses], effects=effects, outline=SQUARE)
+    assert not only.twist.any()
+    np.testing.assert_allclose(only.forces, [[1.5, 0.0], [-0.5, -0.5]], atol=1e-9)
+    assert only.inner_force.tolist() == pytest.approx([1.0, 1.0])
+
+
 def test_fingers_that_slide_along_leave_it_at_rest():
     scene = Gripper([1, 1, 1, 1], 0.0, (0.0, 1.0), 1.0, (0.3, 0.3), 2.0)
     (only,) = scene.answer()
