@@ -265,10 +265,10 @@ def _balance_with_foot(
         u_x = (inner_one * other_y - inner_other * one_y) / determinant
         u_y = (inner_other * one_x - inner_one * other_x) / determinant
         size = sqrt(u_x * u_x + u_y * u_y)
-        if size == 0.0:
-            return
         for sign in range(2):
-            part = load.limit / size if sign == 0 else -load.limit / size
+            # If the inner force is the same everywhere, the foot without a force stands for the whole disc.
+            part = load.limit / size if size > 0.0 else 0.0
+            part = part if sign == 0 else -part
             h_x, h_y = part * u_x - rest_x, part * u_y - rest_y
             _offer_in_disc(
                 units, count, load, places=places, number=number, start=start, one=one,
