@@ -1,4 +1,4 @@
-"""Contacts that stick while the object turns about a foot: the range of the inner force, by linear programs."""
+"""Contacts that stick while an object turns about a foot: their inner force, by linear programs."""
 
 from __future__ import annotations
 
