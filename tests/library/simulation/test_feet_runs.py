@@ -79,7 +79,13 @@ def unique_part(run, log):
     end = min([end, *(0.999 * chosen)])
     if end == run.duration:
         return end, float(log.rod_angle[-1])
-    return end, float(run.log(duration=end).rod_angle[-1]) if end > 0 else None
+    if end <= 0:
+        return end, None
+    again = run.log(duration=end)
+    if again.attrs["stopped"] and jams(run, again):
+        # Rounding decides whether a motion goes on beyond a jam, at which force and acceleration vanish.
+        return unique_part(run, again)
+    return end, float(again.rod_angle[-1])
 
 
 def angles_by_steps(run, end, finer=1):
