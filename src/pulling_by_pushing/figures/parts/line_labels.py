@@ -25,8 +25,8 @@ TURNS = direction(np.deg2rad(np.arange(0, 360, 22.5)))
 MARGIN, TOUCH, CLEAR = 2.5, 1.5, 6.0
 #: Costs: a sample of a line under a label; a sample of a leader on another line; a point of a leader's
 #: length; another line at the start of a leader, less with its distance; another line close to a label
-#: without a leader; a label outside the panel, on another label, or on a leader.
-COVER, CROSSING, LENGTH, SHARED, CLOSE, FORBIDDEN = 2.0, 3.0, 0.15, 20.0, 20.0, 1e4
+#: without a leader.
+COVER, CROSSING, LENGTH, SHARED, CLOSE = 2.0, 3.0, 0.15, 20.0, 20.0
 
 
 class _Candidates(NamedTuple):
@@ -52,8 +52,10 @@ def label_lines(ax: Any, lines: Mapping[str, Any]) -> None:
         width = TextPath((0.0, 0.0), name, size=NOTE).get_extents().width
         half = np.array([width, NOTE]) / 2 + MARGIN
         tries = _candidates(paths[line], half)
+        forbidden = _is_forbidden(tries, half, panel, boxes, leaders)
+        if not forbidden.all():
+            tries = _Candidates(*(points[~forbidden] for points in tries))
         costs = _line_costs(tries, half, paths[line], others)
-        costs += FORBIDDEN * _is_forbidden(tries, half, panel, boxes, leaders)
         start, end, center = (points[int(np.argmin(costs))] for points in tries)
         boxes.append(np.array([center - half, center + half]))
         leaders.append(_points_between(start, end))
