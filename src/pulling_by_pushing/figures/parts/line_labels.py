@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 from matplotlib.patheffects import withStroke
 from matplotlib.textpath import TextPath
 from scipy.spatial import cKDTree
@@ -116,7 +117,7 @@ def _line_costs(tries: _Candidates, half: Array, path: Array, others: Array) -> 
 
 def _is_forbidden(
     tries: _Candidates, half: Array, panel: Array, boxes: list[Array], leaders: list[Array]
-) -> Array:
+) -> npt.NDArray[np.bool_]:
     """Whether the label or the leader of a candidate is on another one, or the label leaves the panel."""
     center = tries.center
     forbidden = ((center - half < panel[0]) | (center + half > panel[1])).any(axis=1)
@@ -126,7 +127,7 @@ def _is_forbidden(
         forbidden |= ((on_leaders > low) & (on_leaders < high)).all(axis=2).any(axis=1)
     for leader in leaders:
         forbidden |= _count_covered(center, half, leader) > 0
-    return np.asarray(forbidden)
+    return np.asarray(forbidden, dtype=bool)
 
 
 def _on_leaders(tries: _Candidates) -> Array:
