@@ -48,10 +48,8 @@ def on_feet(rng, mirror):
     friction = pp.SupportFriction(support=pp.Points(feet, rng.uniform(0.2, 1.0, size=4)))
     slider = pp.Slider(rod_length=1.0, rod_angle=np.pi / 2, side=side, flush=True)
     law = pp.Coulomb(rng.uniform(0.05, 0.8))
-    force, center = (
-        force * [sign, 1.0],
-        center * [1.0, sign],
-    )  # along the fence, and in the body frame
+    # The force has the axes of the fence, its point those of the body, whose x is along the normal.
+    force, center = force * [sign, 1.0], center * [1.0, sign]
 
     def rests(size):
         load = pp.Load(force=tuple(size * force), center=tuple(center))

@@ -264,7 +264,7 @@ def _solve_nodes(system: System, mode: Mode, size: float, matrix: Numbers, order
             for k in range(VELOCITIES):
                 computed[i * entries + STILL + k] = change[VELOCITIES * i + k]
         for i in range(NODES):
-            # What the velocities change of the position, which else would follow one iteration later.
+            # The change of the position by the velocities, which would otherwise come an iteration later.
             _add_nodes(system, NODE_WEIGHTS, i, computed, total=trial)
             there = vector_of(system, STAGE_RATES + NODES + i)
             there.along += size * trial.slip_speed

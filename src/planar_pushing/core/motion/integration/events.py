@@ -247,6 +247,7 @@ def _note_misjudged(run: Run) -> None:
 
 
 def _forget_misjudged(run: Run) -> None:
+    """Allow all modes again."""
     for contact in range(SLIP_LEFT + 1):
         run.misjudged[contact] = 0.0
 
