@@ -199,3 +199,22 @@ def test_an_outline_of_arcs_alone_rolls_from_arc_to_arc(aside):
     assert (log.event == pp.Event.END_OF_SIDE).sum() >= 2
     stepped = push(scene, (aside, 0.7), 6.0, method="time-stepping", step=1e-3)
     assert pose_at_the_end(stepped) == pytest.approx(pose_at_the_end(log), abs=2e-3)
+
+
+@pytest.mark.parametrize("massive", [False, True])
+@pytest.mark.parametrize(("radius", "tilt"), [(0.9, 0.428), (0.6, 0.34), (0.9, 0.12)])
+@pytest.mark.parametrize("velocity", [(-1, 1), (0, 1), (1, 1)])
+def test_in_steps_an_object_goes_on_by_its_twist_where_a_contact_leaves_its_arc(
+    velocity, radius, tilt, massive
+):
+    """Between two rows of a log, the object moves with a velocity between those of the rows."""
+    corner, step, law = radius - 1, 0.01, 0.4
+    point = (corner - radius * sin(tilt), corner - radius * cos(tilt))
+    effects = friction(pp.Disc(0.6)) + massive * (pp.Inertia(mass=1, gyration_radius=0.5),)
+    scene = scene_of(pp.rounded(SQUARE, radius), effects, law, point, tilt)
+    options = {"method": "time-stepping", "step": step, "samples": 401}
+    log = push(scene, velocity, 4.0, tilt, **options)
+    mean = np.diff(log.object_position.values, axis=0) / np.diff(log.time.values)[:, None]
+    ends = log.twist.values[:-1, :2], log.twist.values[1:, :2]
+    outside = np.maximum(np.minimum(*ends) - mean, mean - np.maximum(*ends))
+    assert outside.max() < step

@@ -481,6 +481,23 @@ def test_a_flush_side_without_an_outline_has_two_points(method):
                 assert log[each].values == pytest.approx(whole[each].values, abs=1e-11), each
 
 
+@pytest.mark.parametrize("support", [pp.Polygon(SQUARE), pp.Disc(0.6, (0.3, 0.2))])
+@pytest.mark.parametrize("law", [pp.PerfectlyRough(), pp.InfiniteFriction(), LAW], ids=repr)
+def test_a_flush_side_without_an_outline_has_as_many_modes(law, support):
+    """Where a rough side can roll to the end of it or slip, without inertia."""
+    slider = pp.Slider(
+        rod_length=1.0, rod_angle=np.pi / 2, radius=1.0, side=(-1.0, 1.0), flush=True
+    )
+    effects = (pp.SupportFriction(support=support),)
+    scene, numbers = pp.Scene(slider=slider, contact=law, effects=effects), set()
+    for velocity in ((-0.6, 0.4), (0.6, 0.4), (0.1, 1.0)):
+        log, whole = (run(each, velocity, 2.0) for each in (scene, on_side(effects, law)))
+        for each in ("solutions", "outcome", "mode", "flush"):
+            assert log[each].values.tolist() == whole[each].values.tolist(), each
+        numbers |= set(log.solutions.values.tolist())
+    assert numbers == ({1, 2} if law == pp.PerfectlyRough() else {1})
+
+
 @METHODS
 @pytest.mark.parametrize("velocity", [(1.0, 0.3), (0.0, 1.0)])
 def test_the_ring_and_the_rod_of_the_paper_lie_on_the_fence(method, velocity):

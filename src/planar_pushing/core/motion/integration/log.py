@@ -84,8 +84,7 @@ def end_log(system: System) -> None:
     width, slot = row_width(system.scene.resisting), system.run.slot
     if not logs_events(system):
         row = LogRow(log_of(system)[slot * width :])
-        first = slot if row.time < system.times[slot] else slot + 1
-        for i in range(max(first, slot + 1), system.scene.times):
+        for i in range(slot + 1, system.scene.times):
             later = LogRow(log_of(system)[i * width :])
             copy_numbers(later, row, width)
             later.impulse.x, later.impulse.y = 0.0, 0.0
