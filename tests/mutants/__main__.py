@@ -32,6 +32,8 @@ def main() -> None:
         "--tests", action="store_true", help="keep the library, copy only the tests"
     )
     options = parser.parse_args()
+    if not all(number.strip().isdigit() for number in (options.only or "1").split(",")):
+        parser.error(f"--only: {options.only} given; allowed: numbers with commas between them")
     folder = options.folder.resolve()
     sys.path.insert(0, str(HERE.parent))
     from mutants.switches import build_mutants, copy_tests, is_free

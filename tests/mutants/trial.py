@@ -50,6 +50,8 @@ def main() -> None:
     if caught:
         known = json.loads(Path(caught).read_text())
         numbers = [each["number"] for each in known if each["fate"].startswith("caught")]
+    if unknown := [number for number in numbers if number not in changes]:
+        sys.exit(f"--only: no change has the number {unknown[0]}; allowed: 1 to {len(changes)}")
     results, start = [], time.monotonic()
 
     def report(number: int, fate: str, cost: float) -> None:

@@ -113,6 +113,26 @@ def test_a_disc_is_free_on_its_stretch_and_overlaps_beyond(name, radius):
     assert checked or name == "disc"
 
 
+@pytest.mark.parametrize("radius", [1e-3, 0.5, 1.0])
+def test_a_disc_that_is_smaller_than_the_tolerance_meets_no_other_piece(radius):
+    """It leaves a piece at its end, as a point does."""
+    outputs = Output("low"), Output("high")
+    for name, outline in OUTLINES.items():
+        rows = chain_rows(outline)
+        for number, (_, _, rho, first, last, length, *_) in enumerate(outline.pieces):
+            middle = length / depth_tolerance(outline) if np.isinf(rho) else first + last
+            row = row_of(
+                chain.StretchRow,
+                piece=number,
+                radius=radius,
+                place=middle / 2,
+                count=len(rows),
+                first=0,
+            )
+            ends = map_kernel("stretches_of_pieces", rows.ravel(), row, outputs)
+            assert list(map(float, ends)) == [-np.inf, np.inf], (name, number)
+
+
 def test_a_ring_of_pieces_has_its_arc_length():
     for outline in OUTLINES.values():
         rows, unit = memoryview(chain_rows(outline).ravel()), depth_tolerance(outline)
