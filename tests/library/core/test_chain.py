@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 import planar_pushing as pp
 from planar_pushing.core.supports import chain
@@ -87,10 +88,7 @@ def test_a_disc_is_free_on_its_stretch_and_overlaps_beyond(name, radius):
             continue
         others = np.concatenate([other for i, other in enumerate(points) if i != number])
         centers = point - radius * normal
-        free = (
-            np.hypot(*(centers[:, None] - others[None]).transpose(2, 0, 1)).min(axis=1)
-            > radius - 1e-5
-        )
+        free = cKDTree(others).query(centers)[0] > radius - 1e-5
         if not free.any():
             continue
         middle = np.flatnonzero(free)[free.sum() // 2]
