@@ -1,9 +1,12 @@
 """The picture of the rotation centers of stable pushes."""
 
+from functools import cache
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.path import Path
+from scipy.spatial import cKDTree
 from stability.flush import SCENES
 
 import planar_pushing as pp
@@ -26,19 +29,24 @@ def closed():
     plt.close("all")
 
 
+@cache
+def region_of(name):
+    return pp.stable_centers(SCENES[name].scene)
+
+
 @pytest.mark.parametrize("sense", pp.Sense)
 @pytest.mark.parametrize(
     "name", [n for n, f in SCENES.items() if f.law not in (pp.Coulomb(0), pp.PerfectlyRough())]
 )
 def test_areas_are_the_stable_centers(name, sense):
-    view = View(pp.stable_centers(SCENES[name].scene), SHAPE)
+    view = View(region_of(name), SHAPE)
     points = np.random.default_rng(3).uniform(*view.box, (2000, 2))
     inside = np.zeros(len(points), dtype=bool)
     for ring in rings(view, sense):
         inside |= Path(ring).contains_points(points)
     stable = view.region.contains(view.region.scene.to_object(points, "point"), sense)
-    near = np.concatenate([np.full((1, 2), np.inf), *view.curves])
-    apart = np.min([np.hypot(*(points - each).T) for each in near], axis=0) > 0.02 * view.half
+    near = cKDTree(np.concatenate([np.empty((0, 2)), *view.curves]))
+    apart = near.query(points)[0] > 0.02 * view.half
     assert np.array_equal(inside[apart], stable[apart])
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from mechanics.supports.quadrature import sampled
-from scipy.optimize import linprog
+from scipy.optimize import nnls
 
 import planar_pushing as pp
 
@@ -75,10 +75,9 @@ class Flush:
         edges = self.edges
         for load in self.loads(np.asarray(twist, dtype=float)):
             size = np.abs(load).max()
-            # Least sum of the parts of the load that the edges do not make up.
-            rest = np.hstack([edges.T, np.eye(3), -np.eye(3)])
-            cost = [0.0] * len(edges) + [1.0] * 6
-            if linprog(cost, A_eq=rest, b_eq=load / size).fun > 1e-7:
+            # Sum of the parts of the load that the edges do not make up.
+            parts, _ = nnls(edges.T, load / size)
+            if np.abs(edges.T @ parts - load / size).sum() > 1e-7:
                 return False
         return True
 

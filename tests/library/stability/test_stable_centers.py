@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from stability.flush import SCENES, SQUARE, Flush, push, random_scene, rub
+from stability.flush import SCENES, SQUARE, Flush, push, random_scene, rub, torqued
 
 import planar_pushing as pp
 
@@ -38,15 +38,30 @@ def off(flush, curve):
         "right-edge": (*right / np.hypot(*right), 0.0), "left-edge": (*left / np.hypot(*left), 0.0),
         "start": moment(np.array([x, y]) + start * t), "end": moment(np.array([x, y]) + end * t),
     }[curve.bound]  # fmt: skip
-    apart = []
-    for twist in curve.twists[1:-1]:
-        sets = pp.wrench_set(flush.effects, twist, tolerance=1e-9)
+    twists = curve.twists[1:-1]
+    loads = [
+        -torqued(np.array(each.center), np.array(each.force)) if isinstance(each, pp.Load)
+        else pp.wrench(each, twists)
+        for each in flush.effects
+    ]  # fmt: skip
+    apart = np.abs(sum(loads) @ row)
+    for k in np.flatnonzero(foot_speeds(flush, twists) < 1e-6 * np.abs(twists[:, 2])):
+        sets = pp.wrench_set(flush.effects, twists[k], tolerance=1e-9)
         reach = 0.0
         if sets.foot is not None:
             r_x, r_y = sets.foot
             reach = sets.radius * np.hypot(row[0] - row[2] * r_y, row[1] + row[2] * r_x)
-        apart.append(max(abs(sets.offset @ row) - reach, 0.0))
-    return np.array(apart)
+        apart[k] = max(abs(sets.offset @ row) - reach, 0.0)
+    return apart
+
+
+def foot_speeds(flush, twists):
+    """Speed of the slowest foot of each twist."""
+    supports = [each.support for each in flush.effects if hasattr(each, "support")]
+    feet = np.concatenate([getattr(each, "positions", np.empty((0, 2))) for each in supports])
+    x = twists[:, :1] - twists[:, 2:] * feet[:, 1]
+    y = twists[:, 1:2] + twists[:, 2:] * feet[:, 0]
+    return np.hypot(x, y).min(axis=1, initial=np.inf)
 
 
 def moment(place):
