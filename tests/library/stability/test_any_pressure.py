@@ -18,27 +18,27 @@ CIRCLE = np.column_stack([np.cos(TURNS), np.sin(TURNS)])
 
 
 def load_of(points, shares, rotation, point, velocity):
-    """Force and torque about the contact of a pressure."""
+    """Force and torque about the contact of a pressure, or of several of one number of points."""
     away = np.asarray(points) - point
-    v = velocity + rotation * np.column_stack([-away[:, 1], away[:, 0]])
-    speed = np.maximum(
-        np.hypot(v[:, 0], v[:, 1]), 1e-300
-    )  # a point at the center of rotation adds nothing
-    force = shares[:, None] * v / speed[:, None]
-    return force.sum(axis=0), float((away[:, 0] * force[:, 1] - away[:, 1] * force[:, 0]).sum())
+    x, y = away[..., 0], away[..., 1]
+    rotation = np.asarray(rotation)[..., None]
+    v_x, v_y = velocity[0] - rotation * y, velocity[1] + rotation * x
+    # A point at the center of rotation adds nothing.
+    share = shares / np.maximum(np.hypot(v_x, v_y), 1e-300)
+    f_x, f_y = share * v_x, share * v_y
+    return np.stack([f_x.sum(-1), f_y.sum(-1)], axis=-1), (x * f_y - y * f_x).sum(-1)
 
 
 def balance(points, shares, point, velocity):
     """The rotation at which the torque vanishes, by bisection of the angle of its tangent."""
-    rate = np.hypot(*velocity) / np.hypot(*(np.asarray(points) - point).T).max()
-    low, high = -math.pi / 2, math.pi / 2
+    away = np.asarray(points) - point
+    rate = np.hypot(*velocity) / np.hypot(away[..., 0], away[..., 1]).max(axis=-1)
+    low, high = np.full(rate.shape, -math.pi / 2), np.full(rate.shape, math.pi / 2)
     for _ in range(70):
         middle = (low + high) / 2
-        if load_of(points, shares, rate * math.tan(middle), point, velocity)[1] < 0:
-            low = middle
-        else:
-            high = middle
-    return rate * math.tan(low)
+        below = load_of(points, shares, rate * np.tan(middle), point, velocity)[1] < 0
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return rate * np.tan(low)
 
 
 def with_center(points, center, random):
@@ -52,6 +52,13 @@ def with_center(points, center, random):
         if shares.min() > 1e-9:
             return points[corners], shares
     return None
+
+
+def samples_with_center(points, center, random, count):
+    """Places and shares of at most so many random pressures."""
+    found = [with_center(points, center, random) for _ in range(count)]
+    found = [each for each in found if each is not None]
+    return np.array([each for each, _ in found]), np.array([each for _, each in found])
 
 
 def edges_of(outline, count=40):
@@ -102,7 +109,7 @@ def scenes(name, seed):
     return region, points, center, point, velocity, random
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", [0, 1, pytest.param(2, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", REGIONS)
 def test_every_sampled_pressure_is_within_the_bounds_and_some_pressure_attains_them(name, seed):
     region, points, center, point, velocity, random = scenes(name, seed)
@@ -122,11 +129,12 @@ def test_every_sampled_pressure_is_within_the_bounds_and_some_pressure_attains_t
         found = balance(np.array(support.positions), shares, point, velocity)
         assert math.atan(found / rate) == pytest.approx(math.atan(rotation / rate), rel=0, abs=1e-6)
         assert abs(math.atan(bound / rate) - math.atan(rotation / rate)) < 2e-6
-    for _ in range(40):
-        if (sample := with_center(points, center, random)) is not None:
-            rotation = balance(*sample, point, velocity)
-            slack = 1e-9 * (rate + abs(rotation)) * (1.0 + abs(rotation) / rate)
-            assert low - slack <= rotation <= high + slack
+    samples = samples_with_center(points, center, random, 40)
+    if len(samples[0]):
+        rotation = balance(*samples, point, velocity)
+        slack = 1e-9 * (rate + abs(rotation)) * (1.0 + abs(rotation) / rate)
+        assert (low - slack <= rotation).all()
+        assert (rotation <= high + slack).all()
 
 
 @pytest.mark.parametrize(
@@ -148,15 +156,9 @@ def test_forces_of_sampled_pressures_are_within_the_bounds(name):
     assert angle.right <= inner.right <= inner.left <= angle.left
     assert angle.span - inner.span < 5e-3
     middle = (angle.right + angle.left) / 2.0
-    seen = []
-    for _ in range(60):
-        if (sample := with_center(points, center, random)) is None:
-            continue
-        rotation = balance(*sample, point, velocity)
-        unit, torque = load_of(*sample, rotation, point, velocity)
-        if abs(torque) < 1e-9 * np.ptp(points):
-            seen.append(3.0 * unit)
-    seen = np.array(seen)
+    samples = samples_with_center(points, center, random, 60)
+    units, torque = load_of(*samples, balance(*samples, point, velocity), point, velocity)
+    seen = 3.0 * units[np.abs(torque) < 1e-9 * np.ptp(points)]
     assert len(seen) > 2
     assert (force[0] - 1e-6 <= seen.min(axis=0)).all()
     assert (seen.max(axis=0) <= force[1] + 1e-6).all()
