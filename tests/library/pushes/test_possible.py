@@ -157,7 +157,7 @@ SHAPES = {
 
 @pytest.mark.filterwarnings("ignore:support:planar_pushing.SceneWarning")  # any support
 @pytest.mark.parametrize("name", SHAPES)
-@pytest.mark.parametrize("spot", [0.02, 0.1, 0.3])
+@pytest.mark.parametrize("spot", [0.02, pytest.param(0.1, marks=pytest.mark.slow), 0.3])
 def test_pushes_on_any_support_are_accepted(name, spot):
     """Also where a small disc off the middle carries all, the finger is smooth, and pushes are long."""
     middle = np.array([(5.0, 2.0), (-15.0, -18.0)])

@@ -65,5 +65,11 @@ def test_a_single_point_and_too_many_are_refused_and_nothing_is_written(found, t
     ):
         save_support(replace(found, support=pp.Points(places, np.ones(3501))), pushes, path)
     assert not list(tmp_path.iterdir())
-    save_support(replace(found, support=pp.Points(places[1:], np.ones(3500))), pushes, path)
+
+
+@pytest.mark.slow
+def test_as_many_points_as_are_allowed_make_a_scene(found, tmp_path):
+    pushes, path = pp.concat_pushes([small()]), tmp_path / "support.yaml"
+    places = np.random.default_rng(1).uniform(-1, 1, (3500, 2))
+    save_support(replace(found, support=pp.Points(places, np.ones(3500))), pushes, path)
     assert len(pp.load_scene(path).effects[0].support.positions) == 3500
