@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 from mpmath import mp, mpf
 
@@ -41,21 +43,26 @@ def second(y):
     return (mp.hyp2f1(0.5, 0.5, 1, y) - mp.hyp2f1(-0.5, -0.5, 1, y)) / y**2
 
 
-def parts(x):
-    """The four series of E and E - x K in x (DLMF 19.12): coefficients of log x / 2 and the rest."""
-    logs = [mpf(0)] * 4
-    power, term = mpf(1), mpf(0)
-    digamma = 2 * mp.log(2)
+@cache
+def terms():
+    """Coefficients of the four series of `parts`."""
+    found, digamma = [], 2 * mp.log(2)
     for n in range(120):
         if n:
             digamma -= 2 / mpf((2 * n - 1) * (2 * n))
         of_k = (mp.rf(mpf(1) / 2, n) / mp.factorial(n)) ** 2
         of_e = mp.rf(mpf(1) / 2, n) * mp.rf(mpf(3) / 2, n) / mp.rf(2, n) / mp.factorial(n) / 2
         rest_of_e = of_e * (digamma - 1 / mpf((2 * n + 1) * (2 * n + 2)))
-        term = [of_e, rest_of_e, of_e - of_k, rest_of_e - of_k * digamma]
-        logs = [total + power * each for total, each in zip(logs, term, strict=True)]
-        power *= x
-    return logs
+        found.append([of_e, rest_of_e, of_e - of_k, rest_of_e - of_k * digamma])
+    return found
+
+
+def parts(x):
+    """The four series of E and E - x K in x (DLMF 19.12): coefficients of log x / 2 and the rest."""
+    sums = [mpf(0)] * 4
+    for term in reversed(terms()):
+        sums = [total * x + each for total, each in zip(sums, term, strict=True)]
+    return sums
 
 
 NEAR = ["FORCE_LOG", "FORCE_REST", "TORQUE_LOG", "TORQUE_REST"]
