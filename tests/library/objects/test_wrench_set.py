@@ -30,11 +30,11 @@ def smallest(wrenches, wrench, length):
 
     def at(angle):
         rim = wrenches.radius * np.array([np.cos(angle), np.sin(angle)])
-        return np.sum((away - lever @ rim) ** 2)
+        return np.sum((away - (lever @ rim).T) ** 2, axis=-1)
 
     # With a short length the function has two narrow valleys.
     grid = np.linspace(0, 2 * np.pi, 720, endpoint=False)
-    values = np.array([at(each) for each in grid])
+    values = at(grid)
     lowest = (values <= np.roll(values, 1)) & (values <= np.roll(values, -1))
     options = {"xatol": 1e-13}
     found = [
