@@ -3,6 +3,7 @@
 import itertools
 import threading
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -106,9 +107,12 @@ def test_known_motions(name):
 # --- A route of its own: a square under friction alone -------------------------------------------
 
 
+gauss = cache(np.polynomial.legendre.leggauss)
+
+
 def grid_force(u_x, u_y, omega, turn, number=60):
     """Force and torque about the contact of a square of side 2 whose corner is the contact."""
-    nodes, weights = np.polynomial.legendre.leggauss(number)
+    nodes, weights = gauss(number)
     x, y = np.meshgrid(nodes + 1, nodes + 1)
     w = np.outer(weights, weights) / 4
     c, s = np.cos(turn), np.sin(turn)
@@ -186,7 +190,9 @@ def is_smooth(case):
     return unique and case.gap == 0 and not any(case.twist)
 
 
-@pytest.mark.parametrize("part", range(7))
+@pytest.mark.parametrize(
+    "part", [*range(4), *(pytest.param(part, marks=pytest.mark.slow) for part in range(4, 7))]
+)
 def test_both_methods_agree_on_random_runs(part):
     counts = {"flush": 0, "slip": 0, "leave": 0}
     for seed in range(part, 385, 7):
@@ -226,7 +232,9 @@ def test_impacts_and_flights_of_random_runs_keep_the_energy(seed):
     assert heights(case.log(), case.outline).min() > -4e-9
 
 
-@pytest.mark.parametrize("part", range(4))
+@pytest.mark.parametrize(
+    "part", [*range(2), *(pytest.param(part, marks=pytest.mark.slow) for part in range(2, 4))]
+)
 def test_an_instant_of_a_side_is_a_push_of_a_side_from_rest(part):
     """Number of modes, force and its place are those of `solve`."""
     compared = 0
