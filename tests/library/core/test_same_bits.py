@@ -50,7 +50,7 @@ def answer_everything(seed):
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
-@pytest.mark.parametrize("part", range(2))
+@pytest.mark.parametrize("part", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_hundred_hard_scenes(both, part):
     for seed in range(60 * part, 60 * (part + 1)):
         answer_everything(seed)
@@ -80,8 +80,12 @@ def test_a_load_along_the_fence_without_friction(both, law):
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
-def test_sides_on_the_fence(both):
-    for seed in range(30):
+@pytest.mark.parametrize(("seeds", "kinds"), [
+    (range(1, 30, 3), {NONE, CONSISTENT, PIVOTS}),
+    pytest.param([*range(0, 30, 3), *range(2, 30, 3)], {CONSISTENT}, marks=pytest.mark.slow),
+], ids=["few", "others"])  # fmt: skip
+def test_sides_on_the_fence(both, seeds, kinds):
+    for seed in seeds:
         scene, random = hard_scene(seed)
         ends = -float(random.uniform(0.01, 2)), float(random.uniform(0.01, 2))
         slider = replace(scene.slider, side=ends, flush=True)
@@ -95,7 +99,7 @@ def test_sides_on_the_fence(both):
         )
     solved = np.concatenate([each[:, 0:2] for each in both.results["solve_flush"]])
     status = solved[:, 1].tolist()
-    assert {*status} >= {NONE, CONSISTENT, PIVOTS}
+    assert {*status} >= kinds
     assert status.count(NOT_SOLVED) < 0.01 * len(status)
 
 

@@ -277,10 +277,10 @@ def same_place(one, other):
 
 
 @pytest.mark.parametrize(
-    "part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 10))]
+    "part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 15))]
 )
 def test_every_mode_of_random_scenes_on_feet(part):
-    for seed in range(15 * part, 15 * (part + 1)):
+    for seed in range(part, 150, 15):  # every law, and nearly all effects
         scene, angle, magnitude = random_scene(seed)
         try:
             solutions = pp.solve(scene, angle, magnitude)
@@ -317,12 +317,12 @@ def generators(law, edges, a, b):
 
 
 @pytest.mark.parametrize(
-    "part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 4))]
+    "part", [0, *(pytest.param(part, marks=pytest.mark.slow) for part in range(1, 8))]
 )
 def test_a_load_that_presses_a_resting_side(part):
     """Friction and contact hold a side if no motion that leaves the contact is driven by the load."""
     kinds = set()
-    for seed in range(40 * part, 40 * (part + 1)):
+    for seed in range(20 * part, 20 * (part + 1)):
         random = np.random.default_rng(seed)
         scene, *_ = random_scene(8 * 5 * 9 + seed, feet=seed % 2 == 0)
         law = [

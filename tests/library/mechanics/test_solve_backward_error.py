@@ -13,8 +13,8 @@ from mechanics.builders import BOTH, EVERY_EFFECT, INERTIA, make_scene
 import planar_pushing as pp
 from planar_pushing.mechanics.plane import direction
 
-#: In each test.
-SCENES = 20_000
+#: Numbers of scenes: of every test run, and of the slow tests.
+FEW, MANY = 5000, 15_000
 TOLERANCE = 1e-12
 SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = pp.ContactMode
 LAWS = ("Coulomb", "infinite friction", "definition 2", "perfectly rough")
@@ -28,15 +28,15 @@ def law_of(name, mu):
     return pp.InfiniteFriction("none" if name == "definition 2" else "free")
 
 
-def random_scenes(random, effects, law):
+def random_scenes(random, effects, law, count):
     """Scenes spread over the domain, its corners among them."""
-    length = np.where(random.random(SCENES) < 0.05, 0.0, 10 ** random.uniform(-3, 6, SCENES))
-    psi = random.uniform(1e-4, np.pi - 1e-4, SCENES)
-    psi[random.random(SCENES) < 0.1] = np.pi / 2
-    mu = np.where(random.random(SCENES) < 0.1, 0.0, 10 ** random.uniform(-3, 9, SCENES))
+    length = np.where(random.random(count) < 0.05, 0.0, 10 ** random.uniform(-3, 6, count))
+    psi = random.uniform(1e-4, np.pi - 1e-4, count)
+    psi[random.random(count) < 0.1] = np.pi / 2
+    mu = np.where(random.random(count) < 0.1, 0.0, 10 ** random.uniform(-3, 9, count))
     found = [effect for effect in effects if isinstance(effect, pp.RingFriction)]
     if len(found) < len(effects):
-        found.append(pp.Inertia(gyration_radius=10 ** random.uniform(-4, 4, SCENES)))
+        found.append(pp.Inertia(gyration_radius=10 ** random.uniform(-4, 4, count)))
     slider = pp.Slider(rod_length=length, rod_angle=psi)
     return pp.Scene(slider=slider, contact=law_of(law, mu), effects=tuple(found))
 
@@ -44,16 +44,17 @@ def random_scenes(random, effects, law):
 def random_pushes(random, scene):
     """Pushes of which half are within an ulp of a motion under an edge of the cone or inside it."""
     law, both = scene.law, len(scene.effects) == 2
-    inside = random.choice([0.0, 1.0, 0.5, 1e-9, *random.random(3)], SCENES)
+    count = len(scene.slider.rod_length)
+    inside = random.choice([0.0, 1.0, 0.5, 1e-9, *random.random(3)], count)
     phi = law.right + inside * (law.left - law.right)
-    share = random.random(SCENES) if both else None
+    share = random.random(count) if both else None
     angle = pp.motion_angle(scene, phi, share)
     angle[np.abs(angle) < 1e-300] = 0.0
-    kind = random.random(SCENES)
-    next_to = np.nextafter(angle, random.choice([-9.0, 9.0], SCENES))
+    kind = random.random(count)
+    next_to = np.nextafter(angle, random.choice([-9.0, 9.0], count))
     angle = np.where((kind < 0.5) & (angle != 0.0), next_to, angle)
-    angle = np.where(kind < 0.3, random.uniform(-np.pi, np.pi, SCENES), angle)
-    return angle, 10 ** random.uniform(-12, 12, SCENES) if both else np.ones(SCENES)
+    angle = np.where(kind < 0.3, random.uniform(-np.pi, np.pi, count), angle)
+    return angle, 10 ** random.uniform(-12, 12, count) if both else np.ones(count)
 
 
 def cross(one, other):
@@ -124,11 +125,12 @@ def unit_effects(scene):
             yield effect
 
 
+@pytest.mark.parametrize("count", [FEW, pytest.param(MANY, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("law", LAWS)
 @EVERY_EFFECT
-def test_every_solution_meets_the_conditions_of_its_mode(effects, law):
+def test_every_solution_meets_the_conditions_of_its_mode(effects, law, count):
     random = np.random.default_rng([len(effects), LAWS.index(law), effects == INERTIA])
-    scene = random_scenes(random, effects, law)
+    scene = random_scenes(random, effects, law, count)
     angle, magnitude = random_pushes(random, scene)
     found = pp.solve(scene, angle, magnitude)
     check(scene, angle, magnitude, found)
@@ -141,9 +143,9 @@ def test_every_solution_meets_the_conditions_of_its_mode(effects, law):
 def test_pushing_into_the_slider_always_moves_it(effects):
     """Under a closed law."""
     random = np.random.default_rng(7)
-    scene = random_scenes(random, effects, "Coulomb")
-    angle = random.uniform(1e-6, np.pi - 1e-6, SCENES)
-    found = pp.solve(scene, angle, 10 ** random.uniform(-12, 12, SCENES))
+    scene = random_scenes(random, effects, "Coulomb", MANY)
+    angle = random.uniform(1e-6, np.pi - 1e-6, MANY)
+    found = pp.solve(scene, angle, 10 ** random.uniform(-12, 12, MANY))
     assert np.all(found.solutions >= 1)
     if effects != BOTH:
         assert np.all(found.solutions == 1)

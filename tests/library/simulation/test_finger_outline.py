@@ -192,7 +192,7 @@ def test_a_disc_that_begins_beside_an_inner_corner_is_refused(method):
 
 @METHODS
 @SETS
-@pytest.mark.parametrize("radius", [0.01, 0.04, 0.1])
+@pytest.mark.parametrize("radius", [0.01, pytest.param(0.04, marks=pytest.mark.slow), 0.1])
 @pytest.mark.parametrize(
     ("outline", "point", "along", "left"),
     [

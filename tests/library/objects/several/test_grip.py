@@ -125,7 +125,9 @@ def gripper(seed):
     )
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize(
+    "seed", [*range(4), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(4, 8))]
+)
 def test_every_motion_is_that_of_a_minimum(seed):
     scene = gripper(seed)
     expected = scene.twists()
@@ -166,7 +168,9 @@ def check(scene, one):
     assert torque == pytest.approx(own, abs=1e-8 * scene.force + 1e-9)
 
 
-@pytest.mark.parametrize("block", range(4))
+@pytest.mark.parametrize(
+    "block", [*range(2), *(pytest.param(block, marks=pytest.mark.slow) for block in range(2, 4))]
+)
 def test_a_thousand_grippers_balance(block):
     solved = 0
     for seed in range(250 * block, 250 * block + 250):
@@ -181,10 +185,13 @@ def test_a_thousand_grippers_balance(block):
     assert solved > 240
 
 
+@pytest.mark.parametrize("velocities", [
+    [(1.0, 0.4), (0.0, 0.0)], pytest.param([(-1.0, 0.0), (0.0, 1.0)], marks=pytest.mark.slow),
+])  # fmt: skip
 @pytest.mark.parametrize(
     "law", [pp.Coulomb(0.3), pp.InfiniteFriction(), pp.InfiniteFriction("none")]
 )
-def test_the_same_bits_compiled_and_plain(both, law):
+def test_the_same_bits_compiled_and_plain(both, law, velocities):
     """With friction on feet, on an area and on a ring, and a grip that is weak or firm."""
     supports = [
         pp.SupportFriction(support=pp.Points(FEET)), pp.SupportFriction(support=pp.Polygon(SQUARE)),
@@ -192,7 +199,7 @@ def test_the_same_bits_compiled_and_plain(both, law):
     ]  # fmt: skip
     force = np.array([0.1, 1.1, 20.0])
     for effect in supports:
-        for velocity in ((1.0, 0.4), (-1.0, 0.0), (0.0, 1.0), (0.0, 0.0)):
+        for velocity in velocities:
             one = pp.Contact((-1, 0.2), law=pp.Coulomb(0.2), velocity=velocity)
             other = pp.Contact((1, 0.2), law=law, velocity=(0, 0.5), grip_force=force)
             answer = pp.solve_contacts([one, other], effects=[effect], outline=SQUARE)
