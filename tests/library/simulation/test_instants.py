@@ -122,12 +122,12 @@ def check_row(log, row, listed, closeness):
     assert min(errors) < closeness * max(1.0, np.abs(log.force.values[row]).max())
 
 
-@pytest.mark.parametrize("seed", [12, pytest.param(13, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [150, pytest.param(300, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("slip", [0.0, 0.4, -0.4])
-def test_a_foot_at_the_center_of_rotation_holds_or_leaves(slip, seed):
-    random = np.random.default_rng(seed)
+def test_a_foot_at_the_center_of_rotation_holds_or_leaves(slip, count):
+    random = np.random.default_rng(12)
     several = jams = 0
-    for _ in range(150):
+    for _ in range(count):
         body = draw_body(random)
         psi, omega = float(body.slider.rod_angle), 0.6 * random.normal()
         acceleration = 1.5 * random.normal(size=2)
@@ -151,8 +151,8 @@ def test_a_foot_at_the_center_of_rotation_holds_or_leaves(slip, seed):
             assert log.attrs["stopped"] == "no contact mode is consistent"
         several += len(listed) > 1
         jams += not listed
-    assert several > 1
-    assert (jams > 5) == (slip != 0.0)
+    assert several > count / 150
+    assert (jams > count / 30) == (slip != 0.0)
 
 
 def test_rows_of_a_log_count_the_modes_of_their_instants():
