@@ -56,14 +56,14 @@ def moment(vertices, j, k):
     """
     total, area, n = mpf(0), mpf(0), j + k
     corners = [mp.mpc(*each) for each in vertices.tolist()]
+    beta = [mp.beta(n - m + 1, m + 1) for m in range(n + 1)]
     for a, b in pairwise([*corners, corners[0]]):
         twice = (mp.conj(a) * b).imag
+        ones = [mp.binomial(j, u) * a ** (j - u) * b**u for u in range(j + 1)]
+        others = [mp.conj(mp.binomial(k, v) * a ** (k - v) * b**v) for v in range(k + 1)]
         mean = mpf(0)
-        for u in range(j + 1):
-            for v in range(k + 1):
-                power = mp.binomial(j, u) * mp.binomial(k, v) * mp.beta(n - u - v + 1, u + v + 1)
-                factors = a ** (j - u) * b**u * mp.conj(a) ** (k - v) * mp.conj(b) ** v
-                mean += power * factors
+        for u, one in enumerate(ones):
+            mean += one * sum(other * beta[u + v] for v, other in enumerate(others))
         total += twice * mean / (n + 2)
         area += twice / 2
     return total / area
