@@ -90,7 +90,7 @@ PAPER = "src/pulling_by_pushing"
             [(CONFIG, *ADDED)], {"motion_cones": 1, "figure": 1}, marks=pytest.mark.slow
         ),
         pytest.param(
-            [(f"{PAPER}/figures/paper/mappings.py", *CODE),
+            [(f"{PAPER}/figures/paper/figure_07.py", *CODE),
              ("src/planar_pushing/simulation/pusher.py", *CODE)],
             {"figure": 1, "simulations_smoke": 1}, marks=pytest.mark.slow,
         ),

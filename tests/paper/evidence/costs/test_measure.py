@@ -7,12 +7,17 @@ import numpy as np
 import pytest
 
 from pulling_by_pushing.evidence.costs import measure
-from pulling_by_pushing.evidence.costs.methods import METHODS
+from pulling_by_pushing.evidence.costs.methods import METHODS, SCENES
 
 
-@pytest.fixture(scope="module")
-def times():
+@pytest.fixture(scope="module", params=[1, pytest.param(len(SCENES), marks=pytest.mark.slow)])
+def times(request):
+    """Errors and times of some motions: certifying one of them takes most of the time."""
     with pytest.MonkeyPatch.context() as patch:
+        for scene in list(SCENES)[request.param :]:
+            patch.delitem(SCENES, scene)
+        motion = measure.QUANTITIES["motion"]._replace(cases=list(SCENES))
+        patch.setitem(measure.QUANTITIES, "motion", motion)
         patch.setattr(measure, "REPEATS", 1)
         for quantity, methods in METHODS.items():
             few = tuple(each._replace(settings=each.settings[:1]) for each in methods)
