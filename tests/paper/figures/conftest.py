@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from report.costs import accuracy, accuracy_time, hard_cases
 from report.pushes import measured_pushes
 
+import planar_pushing as pp
 from planar_pushing.drawing.canvas import axes
 from planar_pushing.drawing.canvas.style import paper_style
 from planar_pushing.scenes.files import load_scene_file
@@ -17,10 +18,9 @@ from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.figures.figure import cuts_of, drawing, entry, figure_names, select_values
 from pulling_by_pushing.figures.measured import PUSHES_FILE
 from pulling_by_pushing.figures.studies import cuts, study_figures
-from pulling_by_pushing.study.running.build import build_dataset
 from pulling_by_pushing.study.running.simulations import study_log
-from pulling_by_pushing.study.slices import study_slice
 from pulling_by_pushing.study.study_file import load_study
+from smoke import smoke_results
 
 FIGURES, NUMBERED = figure_names(), study_figures()
 
@@ -39,14 +39,9 @@ def logs():
 
 
 @pytest.fixture(scope="session")
-def sources(studies, logs):
+def sources(logs, tmp_path_factory):
     """Datasets by the names that figures read them by; times are made up."""
-
-    def whole(name):
-        study = studies["support_limit_curves" if name.startswith("support") else "figure_01"]
-        return build_dataset(name, study_slice(study, name))
-
-    datasets = Made(whole)
+    folder = smoke_results(tmp_path_factory)
 
     def source(name):
         if name == PUSHES_FILE:
@@ -57,7 +52,9 @@ def sources(studies, logs):
         costs = {"accuracy": accuracy, "accuracy_time": accuracy_time, "hard_cases": hard_cases}
         if stem in costs:
             return costs[stem](group) if group else costs[stem]()
-        return datasets[stem][group] if group else datasets[stem]
+        return pp.open_dataset(
+            name, folder, study="sliders" if name.startswith("support") else None
+        )
 
     return Made(source)
 

@@ -12,12 +12,32 @@ from planar_pushing.scenes.simulate import simulate_file
 from pulling_by_pushing.figures import front
 from pulling_by_pushing.figures.front_box import MOTIONS, box_motions
 
+#: The animation takes as long as its frames are many.
+FILES = [
+    pytest.param(path, marks=pytest.mark.slow if path == front.ANIMATION else ())
+    for path in front.FILES
+]
 
-@pytest.mark.parametrize("path", front.FILES, ids=str)
+
+@pytest.mark.parametrize("path", FILES, ids=str)
 def test_the_stored_pictures_are_those_that_are_made(path):
     stored, new = path.read_bytes(), front.FILES[path]()
     assert front.difference(new, stored) <= front.LEVEL_TOLERANCE
     assert len(stored) < 1e6
+
+
+def test_every_seventh_frame_of_the_animation_is_the_stored_one(monkeypatch):
+    """From the first one to the last one, with the one in the middle, whose colors all take."""
+    rows, pictures = range(0, front.FRAMES, 7), front.pictures
+    monkeypatch.setattr(front, "pictures", lambda motions, _: pictures(motions, rows))
+    stored, new = (
+        list(front.frames(each)) for each in (front.ANIMATION.read_bytes(), front.animation())
+    )
+    assert len(stored) == front.FRAMES == rows[-1] + 1
+    assert rows[len(rows) // 2] == front.FRAMES // 2
+    for row, frame in zip(rows, new, strict=True):
+        assert np.sqrt(np.mean((frame - stored[row]) ** 2)) <= front.LEVEL_TOLERANCE
+    assert front.ANIMATION.stat().st_size < 1e6
 
 
 def test_another_picture_differs(tmp_path, monkeypatch, capsys):

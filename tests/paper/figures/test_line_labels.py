@@ -15,7 +15,7 @@ CURVES = {
 }
 
 
-@pytest.fixture(params=CURVES)
+@pytest.fixture(scope="module", params=CURVES)
 def panel(request):
     with paper_style():
         figure = Figure(figsize=(3.0, 2.0))

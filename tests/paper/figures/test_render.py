@@ -35,7 +35,10 @@ def test_an_unknown_figure_is_one_line_with_the_names_of_all(call):
     assert str(caught.value) == said
 
 
-@pytest.mark.parametrize("name", ["figure_08", "figure_10", "slip_over_time", "hard_cases"])
+@pytest.mark.parametrize("name", [
+    "figure_07", "figure_08", "slip_over_time", "hard_cases",
+    pytest.param("figure_10", marks=pytest.mark.slow),
+])  # fmt: skip
 def test_a_figure_is_drawn_from_its_datasets_alike_twice(results, studies, plotted, name):
     folder = results(name)
     given = cuts(studies[name], name) if name in studies else {}

@@ -19,8 +19,8 @@ EFFECTS = {"support_friction": pp.RingFriction(), "inertia": pp.Inertia()}
 
 
 @pytest.fixture(scope="module")
-def maps():
-    return build_dataset("mode_maps", study_slice(STUDY, "mode_maps"))
+def maps(results):
+    return pp.open_dataset("mode_maps", results)
 
 
 def test_a_fine_grid_replaces_the_axes_that_it_gives_and_no_others():

@@ -97,6 +97,7 @@ def test_a_log_is_no_scene_and_no_study(tmp_path, load):
         load(path)
 
 
+@pytest.mark.slow  # a thousand brackets are refused above
 def test_many_nested_brackets_are_one_line_too(tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text("[" * (yaml_text.BYTES // 2), encoding="utf-8")
