@@ -5,19 +5,16 @@ import platform
 
 import numpy as np
 import pytest
+from evidence.costs.scenes import COUNTS, keep_scenes
 
 from pulling_by_pushing.evidence.costs import measure
-from pulling_by_pushing.evidence.costs.methods import METHODS, SCENES
+from pulling_by_pushing.evidence.costs.methods import METHODS
 
 
-@pytest.fixture(scope="module", params=[1, pytest.param(len(SCENES), marks=pytest.mark.slow)])
+@pytest.fixture(scope="module", params=COUNTS)
 def times(request):
-    """Errors and times of some motions: certifying one of them takes most of the time."""
     with pytest.MonkeyPatch.context() as patch:
-        for scene in list(SCENES)[request.param :]:
-            patch.delitem(SCENES, scene)
-        motion = measure.QUANTITIES["motion"]._replace(cases=list(SCENES))
-        patch.setitem(measure.QUANTITIES, "motion", motion)
+        keep_scenes(patch, request.param)
         patch.setattr(measure, "REPEATS", 1)
         for quantity, methods in METHODS.items():
             few = tuple(each._replace(settings=each.settings[:1]) for each in methods)

@@ -5,6 +5,7 @@ import pstats
 
 import numpy as np
 import pytest
+from evidence.costs.scenes import COUNTS, keep_scenes
 from mpmath import mp, mpf
 
 import reference as straight
@@ -15,9 +16,11 @@ from pulling_by_pushing.evidence.costs.methods import METHODS, ROD_ANGLE, SPIN_R
 EPS = np.finfo(float).eps
 
 
-@pytest.fixture(scope="module")
-def accuracy():
-    return measure.accuracy()
+@pytest.fixture(scope="module", params=COUNTS)
+def accuracy(request):
+    with pytest.MonkeyPatch.context() as patch:
+        keep_scenes(patch, request.param)
+        return measure.accuracy()
 
 
 def of(accuracy, quantity, name):
