@@ -136,13 +136,19 @@ def test_sigterm_that_is_ignored_stays_so(run, monkeypatch):
         signal.signal(signal.SIGTERM, before)
 
 
-@pytest.mark.parametrize("closed", [(1,), (2,), (0, 1, 2)], ids=str)
-@pytest.mark.parametrize(("arguments", "code"), [
-    (["--version"], 0),
-    (["solve", SCENE, "--pusher-angle", "90", "--json"], 0),
-    (["solve", "nowhere.yaml"], 2),
-    (["solve"], 2),
-    (["simulate", SCENE, "-o", "LOG"], 0),
+#: Commands, their exit codes, and the streams that are closed in every test run; the others are slow.
+ENDINGS = [
+    (["--version"], 0, [(0, 1, 2)]),
+    (["solve", SCENE, "--pusher-angle", "90", "--json"], 0, [(1,), (2,), (0, 1, 2)]),
+    (["solve", "nowhere.yaml"], 2, [(1,), (2,)]),
+    (["solve"], 2, [(2,), (0, 1, 2)]),
+    (["simulate", SCENE, "-o", "LOG"], 0, [(0, 1, 2)]),
+]
+
+
+@pytest.mark.parametrize(("arguments", "code", "closed"), [
+    pytest.param(arguments, code, closed, marks=() if closed in fast else pytest.mark.slow)
+    for arguments, code, fast in ENDINGS for closed in [(1,), (2,), (0, 1, 2)]
 ], ids=str)  # fmt: skip
 def test_closed_streams_change_no_exit_code_and_no_file(tmp_path, arguments, code, closed):
     """What is printed goes nowhere, and not to a file that is opened in the place of the stream."""

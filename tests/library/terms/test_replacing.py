@@ -304,7 +304,7 @@ import numpy as np, xarray as xr
 from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.errors import InvalidFile
 saved, refusals, start = 0, set(), time.monotonic()
-while time.monotonic() < start + (1.5 if saved else 60.0):
+while time.monotonic() < start + (0.7 if saved else 60.0):
     try:
         write_dataset(xr.Dataset({"a": ("x", np.full(20_000, float(sys.argv[1])))}), "o.nc")
         saved += 1
