@@ -66,7 +66,9 @@ def test_power_is_that_of_the_wrench_and_its_slope_that_of_differences(support, 
         line, start, step, probe = random_line(effects, rng)
         for angle in rng.uniform(-1.4, 1.4, 5).tolist():
             twist = start + np.linalg.norm(start) * np.tan(angle) * step
-            np.testing.assert_allclose(tuple(twists.twist_on_line(line, angle)), twist, rtol=1e-14)
+            np.testing.assert_allclose(
+                twists.twist_on_line(line, angle), twist, rtol=1e-13, atol=1e-13
+            )
             shrunk = not line.on_feet and line.effects.massive
             expected = power_along(effects, twist, probe) * (np.cos(angle) if shrunk else 1.0)
             power = twists.power_on_line(line, angle, angle)
