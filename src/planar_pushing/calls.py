@@ -109,11 +109,11 @@ def _maker_of(unknown: str, names: list[str], load: Load) -> str:
         except AttributeError:
             continue
         if isinstance(maker, FunctionType) and unknown in inspect.signature(maker).parameters:
-            return f"give {name}=pp.{name}{inspect.Signature(_required(maker))}"
+            return f"give {name}=pp.{name}{inspect.Signature(_required_parameters(maker))}"
     return ""
 
 
-def _required(function: Callable[..., Any]) -> list[Any]:
+def _required_parameters(function: Callable[..., Any]) -> list[Any]:
     """The parameters without a default, by name only."""
     import inspect
 

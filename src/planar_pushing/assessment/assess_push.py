@@ -95,7 +95,7 @@ def assess_push(
         if value is not None or name != "tolerance":
             number = declared.require(name, value)
             require_number(name, number, math.isfinite, "one number", "give one")
-    full = with_candidates(scene, _required(candidates))
+    full = with_candidates(scene, _require_candidates(candidates))
     trial = Trial(pusher, float(duration), outline_circles(full))
     limit = TOLERANCE * trial.size if tolerance is None else float(tolerance)
     trial.run(full, samples=2)  # which refuses and warns
@@ -118,7 +118,7 @@ def _assess(trial: Trial, full: Scene, tolerance: float, change: float) -> PushA
     )  # fmt: skip
 
 
-def _required(value: object) -> tuple[Effect, ...]:
+def _require_candidates(value: object) -> tuple[Effect, ...]:
     """Candidates, or `InvalidValue`."""
     kinds = SupportFriction | Viscous | Inertia | Load
     effects = tuple(value) if isinstance(value, (tuple, list)) else (value,)

@@ -110,20 +110,20 @@ def _event_driven(trial: Trial, scene: Scene, rtol: float, exact: xr.Dataset) ->
 
 
 def _steps(trial: Trial, scene: Scene, count: int, exact: xr.Dataset, of_step: float) -> Setting:
-    log = _stepped(trial, scene, count)
+    log = _run_in_steps(trial, scene, count)
     evaluations = evaluations_of(log)
     error = trial.end_change(exact, log)
     return Setting(str(Method.TIME_STEPPING), count, error, evaluations, evaluations * of_step)
 
 
-def _stepped(trial: Trial, scene: Scene, count: int) -> xr.Dataset:
+def _run_in_steps(trial: Trial, scene: Scene, count: int) -> xr.Dataset:
     step = trial.duration / count
     return trial.run(scene, samples=2, method=Method.TIME_STEPPING, step=step)
 
 
 def _seconds_of_a_step(trial: Trial, scene: Scene, log_seconds: float) -> float:
     """Processor time of one evaluation of the time-stepping method."""
-    seconds, log = _seconds(lambda: _stepped(trial, scene, MANY_STEPS))
+    seconds, log = _seconds(lambda: _run_in_steps(trial, scene, MANY_STEPS))
     return max(seconds - log_seconds, 0.0) / evaluations_of(log)
 
 

@@ -160,13 +160,13 @@ def changed_inputs(
     if isinstance(law, Coulomb):
         yield (
             "friction of the contact",
-            lambda side: (replace(scene, contact=_scaled(law, 1.0 + side * change)), pusher),
+            lambda side: (replace(scene, contact=_scale_law(law, 1.0 + side * change)), pusher),
         )
     if scene.masses:
         yield "mass", lambda side: (_with_mass(scene, 1.0 + side * change), pusher)
 
 
-def _scaled(law: Coulomb, factor: float) -> Coulomb:
+def _scale_law(law: Coulomb, factor: float) -> Coulomb:
     coefficient: Any = law.friction_coefficient
     return Coulomb(coefficient * factor)
 

@@ -59,7 +59,7 @@ def script(args: argparse.Namespace) -> dict[str, Any]:
         "": SCRIPT.format(
             start=SHELLS[args.shell],
             values=_cases(values),
-            others="|".join(f'*" {name}"' for name in sorted(_taking(known.values()))),
+            others="|".join(f'*" {name}"' for name in sorted(_options_with_values(known.values()))),
             commands=_cases(
                 {name: (*parser.words, *parser.options) for name, parser in known.items()}
             ),
@@ -68,7 +68,7 @@ def script(args: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def _taking(parsers: Iterable[Parser]) -> set[str]:
+def _options_with_values(parsers: Iterable[Parser]) -> set[str]:
     """Options of all commands that take a value."""
     parsers = list(parsers)
     actions = [entry for parser in parsers for entry in parser._option_string_actions.items()]

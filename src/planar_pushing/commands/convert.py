@@ -13,7 +13,7 @@ from planar_pushing.commands.words import (
     Commands,
     add_output,
     command,
-    missing,
+    missing_value,
     read_outline,
     require_ending,
 )
@@ -136,7 +136,7 @@ def _logs(args: argparse.Namespace) -> xr.Dataset:
 def _table(args: argparse.Namespace) -> xr.Dataset:
     """Pushes in tables."""
     if args.outline is None:
-        raise missing(
+        raise missing_value(
             "outline",
             OUTLINE,
             "write for example [[0, 0], [80, 0], [80, 50]] to a file, and give --outline",

@@ -14,7 +14,7 @@ from planar_pushing.commands.words import (
     add_pushes,
     chosen_pushes,
     command,
-    missing,
+    missing_value,
     read_outline,
     require_ending,
     require_seed,
@@ -89,7 +89,7 @@ def _pushes(args: argparse.Namespace) -> xr.Dataset:
     pushes = chosen_pushes(args)
     names = [str(label) for label in pushes["object"].values]
     if len(names) > 1:
-        raise missing("object", ", ".join(names), "name one of them with --object")
+        raise missing_value("object", ", ".join(names), "name one of them with --object")
     return pushes if args.outline is None else _with_outline(pushes, args.outline)
 
 

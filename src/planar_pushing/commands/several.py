@@ -57,9 +57,9 @@ def _solution(solution: ContactsSolution) -> dict[str, Any]:
     contacts = [
         {
             "mode": mode.name,
-            "force": _rounded(solution.forces, k),
-            **({"force_end": _rounded(solution.forces_end, k)} if has_range else {}),
-            "contact_motion": _rounded(solution.contact_motions, k),
+            "force": _round_vector(solution.forces, k),
+            **({"force_end": _round_vector(solution.forces_end, k)} if has_range else {}),
+            "contact_motion": _round_vector(solution.contact_motions, k),
             "gap_rate": float(solution.gap_rates[k]) + 0.0,
         }
         for k, mode in enumerate(solution.modes)
@@ -76,7 +76,7 @@ def _solution(solution: ContactsSolution) -> dict[str, Any]:
     }
 
 
-def _rounded(vectors: Any, number: int) -> list[float]:
+def _round_vector(vectors: Any, number: int) -> list[float]:
     """One of several vectors, with 0 for components that are rounding errors beside the largest."""
     import numpy as np
 

@@ -14,7 +14,7 @@ from planar_pushing.commands.words import (
     add_output,
     add_scene,
     command,
-    missing,
+    missing_value,
     with_unit,
 )
 from planar_pushing.terms.errors import InvalidValue
@@ -151,7 +151,7 @@ def _require_motion(section: dict[str, Any], args: argparse.Namespace) -> None:
     if names:
         options = " ".join(f"--{name.replace('_', '-')} {example[name]}" for name in names)
         keys = ", ".join(f"{name}: {example[name]}" for name in names)
-        raise missing(
+        raise missing_value(
             ", ".join(names), f"as options, or in a section simulate of {args.scene}",
             f"type for example {options}, or write simulate: {{{keys}}} into the file",
         )  # fmt: skip

@@ -12,7 +12,7 @@ from planar_pushing.commands.words import (
     add_push,
     add_scene,
     command,
-    missing,
+    missing_value,
     numbers,
     table,
 )
@@ -64,7 +64,7 @@ def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[s
     from planar_pushing.terms.numbers import in_radians
 
     if degrees is None and scene.push is None:
-        raise missing(
+        raise missing_value(
             "pusher_angle", "the option --pusher-angle, or a section simulate in the scene file",
             "type --pusher-angle 90 for a push into the slider",
         )  # fmt: skip

@@ -245,7 +245,7 @@ def add_pushes(sub: argparse.ArgumentParser, several: bool) -> None:
     )  # fmt: skip
 
 
-def missing(name: str, allowed: str, remedy: str) -> PlanarPushingError:
+def missing_value(name: str, allowed: str, remedy: str) -> PlanarPushingError:
     """The error for what the user must give and has not."""
     return PlanarPushingError(f"{name}: missing; allowed: {allowed}; {remedy}")
 

@@ -148,7 +148,7 @@ class Sketch:
             friction=edges["friction"], motion=edges["motion"],
             pusher=data["pusher_motion"].values, solutions=solutions, chosen=chosen,
             symbol="a" if "inertia" in data["effect"].values else "v",
-            rubbing=_rubbing(data.isel(solution=chosen)) if chosen >= 0 else NOWHERE,
+            rubbing=_friction_forces(data.isel(solution=chosen)) if chosen >= 0 else NOWHERE,
         )  # fmt: skip
 
     @property
@@ -377,7 +377,7 @@ def _around(center: Array, radius: float, friction: Array) -> tuple[Array, Array
     return (center + radius * direction(turns))[::2], friction[::2]
 
 
-def _rubbing(data: xr.Dataset) -> tuple[Array, Array]:
+def _friction_forces(data: xr.Dataset) -> tuple[Array, Array]:
     if "place_force" in data:
         return data["place_position"].values, data["place_force"].values
     return _around(data["ring_center"].values, float(data["radius"]), data["support_force"].values)

@@ -175,7 +175,7 @@ def add_set(picture: Picture, view: View, sense: Sense) -> None:
     position, room = clearest(view, sense)
     if room > 0.0:
         turn = 1.0 if sense is Sense.COUNTERCLOCKWISE else -1.0
-        picture.turning(position, turn, min(0.14 * view.half, 0.7 * room), CENTER)
+        picture.turn_arrow(position, turn, min(0.14 * view.half, 0.7 * room), CENTER)
         text, held = f"stable,\n{sense}", room > 0.4 * view.half
         picture.label(position, text, color=CENTER, size=NOTE, offset=(0.0, -17.0), held=held)
 

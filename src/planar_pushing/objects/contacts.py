@@ -119,7 +119,7 @@ def _meeting(
 def _stretches(disc: ForceDisc, slack: float) -> list[Stretch]:
     """Intervals of contacts on a side, between its ends and the lines tangent to the disc."""
     low, high = disc.low - slack, disc.high + slack
-    cuts = [low, *(x for x in _touching(disc) if low < x < high), high]
+    cuts = [low, *(x for x in _tangent_places(disc) if low < x < high), high]
     intervals = []
     for start, end in pairwise(cuts):
         middle = (start + end) / 2.0
@@ -129,7 +129,7 @@ def _stretches(disc: ForceDisc, slack: float) -> list[Stretch]:
     return intervals
 
 
-def _touching(disc: ForceDisc) -> list[float]:
+def _tangent_places(disc: ForceDisc) -> list[float]:
     """Places whose line of forces is tangent to the disc, ``(h f_t + x f_n - M)^2 = p^2 (h^2 + x^2)``."""
     offset = disc.height * disc.along - disc.torque
     lead = (disc.normal - disc.radius) * (disc.normal + disc.radius)
@@ -273,7 +273,7 @@ class _ArcForces:
     def _is_contact(self, beta: float) -> bool:
         return _meets(*self.disc(beta)) and self.best(beta).friction < inf
 
-    def _touching(self, beta: Array) -> Array:
+    def _distance_to_tangent(self, beta: Array) -> Array:
         """Zero where the line is tangent to the disc."""
         tangent, normal = (
             np.array([np.cos(beta), np.sin(beta)]),
@@ -302,7 +302,7 @@ class _ArcForces:
     def stretches(self, slack: float) -> list[Stretch]:
         """Intervals of contacts, between ends of the arc, lines tangent to the disc, and flat forces."""
         flat = self._inside(self._flat)
-        cuts = sorted([*self._inside(self._touching), *flat])
+        cuts = sorted([*self._inside(self._distance_to_tangent), *flat])
         low, high = self.arc.low - slack, self.arc.high + slack
         if self.arc.high - self.arc.low >= 2.0 * pi - slack and cuts:
             low, high = cuts[0], cuts[0] + 2.0 * pi

@@ -195,7 +195,7 @@ def wrench_set(
         "tolerance", tolerance, lambda x: 0 <= x < inf, "a finite number >= 0", "give a distance"
     )
     feet = feet_of(acting)
-    resting = _resting(feet, motion, reach)
+    resting = _feet_at_rest(feet, motion, reach)
     held = feet[resting]
     return WrenchSet(
         offset=resistance(acting, motion, feet[~resting]),
@@ -216,7 +216,7 @@ def require_twist(value: npt.ArrayLike) -> Array:
     return numbers
 
 
-def _resting(feet: Array, twist: Array, tolerance: float) -> Any:
+def _feet_at_rest(feet: Array, twist: Array, tolerance: float) -> Any:
     """Mask of the feet at the center of rotation: the nearest foot, and all at the same place."""
     near = np.zeros(len(feet), dtype=bool)
     if twist[2] == 0.0 or not len(feet):

@@ -64,7 +64,7 @@ class Runs:
         self.scales = scales_of(scenes.radius[part], scenes.force[part], width)[:, None]
 
     @property
-    def ended(self) -> npt.NDArray[np.bool_]:
+    def has_ended(self) -> npt.NDArray[np.bool_]:
         """Whether each run has ended."""
         ended: npt.NDArray[np.bool_] = np.not_equal(Columns(Memory, self.results).ended, 0.0)
         return ended
@@ -122,7 +122,7 @@ class Run:
 
     def __iter__(self) -> Iterator[Array]:
         runs = self.runs
-        while not runs.ended[0]:
+        while not runs.has_ended[0]:
             runs.advance()
             count = int(Columns(Memory, runs.results[0]).rows)
             if count:
@@ -244,7 +244,7 @@ def run_scenes(scenes: Scenes, times: Array, progress: bool = False) -> tuple[Ar
         finished = 0
         while finished < len(inputs) and not interrupted.is_set():
             runs.advance()
-            before, finished = finished, int(runs.ended.sum())
+            before, finished = finished, int(runs.has_ended.sum())
             bar.update(finished - before)
         rows[part], ends.changes[part] = runs.log(), Columns(Memory, runs.results).changes
         for i in np.flatnonzero(Columns(LogRow, rows[part, -1]).stopped).tolist():

@@ -8,7 +8,7 @@ from collections.abc import Hashable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words import Commands, command, missing, with_unit
+from planar_pushing.commands.words import Commands, command, missing_value, with_unit
 from planar_pushing.terms.errors import InvalidValue, PlanarPushingError, require_name
 from planar_pushing.terms.options import EffectSet
 from planar_pushing.terms.quantities import unit_of
@@ -117,7 +117,7 @@ def _no_dataset(words: Sequence[str]) -> PlanarPushingError:
     remedy = "name a dataset first"
     if names:
         remedy = f"type for example planar-pushing query {names[0]} {shlex.join(words)}"
-    return missing("dataset", ", ".join(names or dataset_names()), remedy)
+    return missing_value("dataset", ", ".join(names or dataset_names()), remedy)
 
 
 def _title_lines(titles: dict[str, str], results: Path) -> list[str]:

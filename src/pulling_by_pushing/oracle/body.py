@@ -120,7 +120,9 @@ class Body:
             for row, load in zip(self.matrix, self.load, strict=True)
         ]
         if self.weight != 0:
-            force, slope = self._straight(q) if q[2].contains(0) else self._turning(q, skip)
+            force, slope = (
+                self._straight(q) if q[2].contains(0) else self._derivatives_in_rotation(q, skip)
+            )
             value = [a + self.weight * b for a, b in zip(value, force, strict=True)]
             jacobian = [
                 [a + self.weight * b for a, b in zip(*rows, strict=True)]
@@ -130,7 +132,7 @@ class Body:
             size = [a + self.weight * b for a, b in zip(size, levers, strict=True)]
         return Wrench(value, jacobian, size)
 
-    def _turning(self, q: Sequence[arb], skip: int) -> tuple[Row, Matrix]:
+    def _derivatives_in_rotation(self, q: Sequence[arb], skip: int) -> tuple[Row, Matrix]:
         """Gradient and Hessian of ``|omega| D(c)``, where c is J u / omega from the contact."""
         assert self.support is not None
         x, y, omega = -q[1] / q[2], q[0] / q[2], q[2]

@@ -172,7 +172,7 @@ class Path:
             low, high = (low, middle) if excess * after > 0 else (middle, high)
         return ((low + high) / 2).mid()
 
-    def grazing(self) -> list[arb]:
+    def spins_along_fence(self) -> list[arb]:
         """K of the motion along the fence, if there is one."""
         if self.stays or self.lever.is_zero():
             return []

@@ -273,7 +273,7 @@ def _slips(
     body, e, side = slider.body, force.about(slider.rod_angle), SLIPS[mode]
     motions, (x, y), (cosine, sine) = path(slider, force), e.ball, slider.rod
     level = size * pusher.ball[1] if towards else fmpq(0)
-    spins = motions.spins(arb(level)) if towards else motions.grazing()
+    spins = motions.spins(arb(level)) if towards else motions.spins_along_fence()
     radius, rotations = ring_radius(body), list[arb]()
     assert radius is not None
     for k in spins:

@@ -143,7 +143,7 @@ def test_a_line_of_twists_ends_where_a_contact_leaves_its_mode():
         twist, direction = rng.normal(size=(2, 3))
         bounds = lines.Bounds(memoryview(np.zeros(lines.BOUNDS)))
         motions = MotionSet(Vector(*twist.tolist()), 1, Vector(*direction.tolist()))
-        left = lines._write_bounds(several, sharing, motions, bounds)
+        left = lines.write_bounds(several, sharing, motions, bounds)
         at_twist, beyond = motions_at(frames, twist), motions_at(frames, twist + direction)
         low, high = -np.inf, np.inf
         for i, mode in enumerate(modes):
@@ -175,7 +175,7 @@ def test_probes_have_no_power_with_any_unit_force(dimension):
             force.x, force.y, force.torque = wrench
         probes = np.zeros(2 * lines.TWIST)
         sharing = sharing_of(units=units, number=len(wrenches))
-        assert lines._span_of(sharing, memoryview(probes)) == dimension
+        assert lines.span_of_forces(sharing, memoryview(probes)) == dimension
         rows = probes.reshape(2, 3)[: 3 - dimension]
         assert np.linalg.matrix_rank(rows, tol=1e-9) == 3 - dimension
         assert np.abs(rows @ wrenches.T).max(initial=0.0) < 1e-12

@@ -118,7 +118,7 @@ MARKS = {
     "force": picture("force", (-1, 0.5), (2.0, 1.5)),
     "short force": picture("force", (0, 0), (0.1, -0.05)),
     "motion": picture("motion", (-1, 0.5), (2.0, -1.0), dash="--"),
-    "turn": picture("turning", (1, 1), 1.0, 0.8, RED),
+    "turn": picture("turn_arrow", (1, 1), 1.0, 0.8, RED),
     "disc": picture("dot", (1.5, 1.0), 20.0, RED),
     "mass": picture("dot", (1.5, 1.0), 20.0, RED, edge=BLUE, shape="mass"),
     "pressure": picture("dot", (1.5, 1.0), 20.0, RED, shape="pressure"),
@@ -295,7 +295,7 @@ def test_a_head_is_shorter_than_its_arrow(length):
 
 @pytest.mark.parametrize(("sense", "side"), [(1.0, -1.0), (-1.0, 1.0)])
 def test_a_turn_to_the_left_ends_on_the_left(sense, side):
-    (arrow,) = picture("turning", (0, 0), sense, 0.5, RED).marks
+    (arrow,) = picture("turn_arrow", (0, 0), sense, 0.5, RED).marks
     assert np.hypot(*arrow.points.T) == pytest.approx(0.5)
     assert np.sign(arrow.points[-1, 0]) == side
 

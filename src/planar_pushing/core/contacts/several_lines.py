@@ -90,7 +90,7 @@ class Bounds(Record):
 BOUNDS, TWIST = size_of(Bounds), size_of(Twist)
 
 
-def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds: Bounds) -> bool:
+def write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds: Bounds) -> bool:
     """Write how far one can go along a line of twists in both senses; whether any of it is left.
 
     Every contact keeps its mode, and without loads the power of at nearest one unit force is positive.
@@ -143,7 +143,7 @@ def _bound_by_power(sharing: Sharing, motions: MotionSet, bounds: Bounds) -> Non
     bounds.low, bounds.high = max(bounds.low, low), min(bounds.high, high)
 
 
-def _span_of(sharing: Sharing, probes: Numbers) -> int:
+def span_of_forces(sharing: Sharing, probes: Numbers) -> int:
     """Dimension of the span of the unit forces; write the twists on which all of them have no power."""
     units, number = sharing.units, sharing.number
     best, one, other = INDEPENDENT, 0, -1
@@ -196,9 +196,9 @@ def add_on_line(
     """
     numbers, probes = zeros(BOUNDS), zeros(2 * TWIST)
     bounds = Bounds(numbers)
-    if not _write_bounds(several, sharing, motions, bounds):
+    if not write_bounds(several, sharing, motions, bounds):
         return count
-    span = _span_of(sharing, probes)
+    span = span_of_forces(sharing, probes)
     if span == 3:
         return _add_interval(several, sharing, motions, bounds, solutions=solutions, count=count)
     roots = zeros(MOST_ON_LINE * LINE_ROOT)
@@ -288,9 +288,9 @@ def add_from_rest(
     """
     numbers, probes = zeros(BOUNDS), zeros(2 * TWIST)
     bounds = Bounds(numbers)
-    if not _write_bounds(several, sharing, motions, bounds):
+    if not write_bounds(several, sharing, motions, bounds):
         return count
-    span = _span_of(sharing, probes)
+    span = span_of_forces(sharing, probes)
     probe = as_vector(Twist(probes))
     for half in range(2):
         sign = 1.0 if half == 0 else -1.0

@@ -273,7 +273,7 @@ class Picture:
                 self.dot(position, LETTER, "white", order=LINES + 0.2)
             self.label(position, text, color=color, offset=away)
 
-    def turning(self, position: Positions, sense: float, radius: float, color: str) -> None:
+    def turn_arrow(self, position: Positions, sense: float, radius: float, color: str) -> None:
         """Add a curved arrow around a center, counterclockwise for a positive sense."""
         turns = np.deg2rad(np.linspace(-30.0, 210.0, 25))
         points = direction(turns) * [1.0 if sense > 0 else -1.0, 1.0]

@@ -301,7 +301,7 @@ def require_chains(rows: Array) -> None:
     numbers = rows[:, NEXT:]
     is_whole = np.isfinite(numbers).all() and (numbers == np.round(numbers)).all()
     if not is_whole or not ((numbers >= 0) & (numbers < count)).all() or np.isnan(rows).any():
-        raise _refused("rows of neighbors from 0 on, in order along each chain")
+        raise _refusal("rows of neighbors from 0 on, in order along each chain")
     chains = split_chains(rows)
     again = number_chains([chain[:, :OWN] for chain in chains])
     size = float((np.ptp(starts_of(rows), axis=0)).max()) or float(np.abs(rows[0, RHO]))
@@ -310,12 +310,12 @@ def require_chains(rows: Array) -> None:
     joins = np.abs(turns - 2.0 * math.pi * np.round(turns / (2.0 * math.pi))) <= JOINED
     joins &= np.hypot(apart[:, 0], apart[:, 1]) <= JOINED * size
     if not np.allclose(again, rows, rtol=1e-9, atol=JOINED * size) or not joins.all():
-        raise _refused("closed chains whose points and directions join")
+        raise _refusal("closed chains whose points and directions join")
     if (rows[:, LENGTH] < 0.0).any():
-        raise _refused("lengths that are not negative")
+        raise _refusal("lengths that are not negative")
 
 
-def _refused(allowed: str) -> InvalidValue:
+def _refusal(allowed: str) -> InvalidValue:
     return InvalidValue(
         "pieces", "rows that are no outline", allowed, "copy them from Outline.pieces"
     )

@@ -202,7 +202,7 @@ def _require_holes(outer: Array, inner: list[Array]) -> None:
     for i, hole in enumerate(inner):
         others = inner[:i]
         for other in (outer, *others):
-            j, k = _touching(hole, other)
+            j, k = _touching_edges(hole, other)
             if j >= 0:
                 _refuse_hole(i, f"{_edge(hole, j)}, which meets {_edge(other, k)}")
         beside = any(
@@ -243,7 +243,7 @@ def require_simple(name: str, vertices: Array, numbers: Any = None) -> None:
 
     The vertices have these numbers in messages, by default 0, 1, 2 and so on.
     """
-    i, j = _crossing(vertices)
+    i, j = _crossing_edges(vertices)
     if i >= 0:
         named = (i, j) if numbers is None else (int(numbers[i]), int(numbers[j]))
         raise InvalidValue(
@@ -265,14 +265,14 @@ def _edge(vertices: Array, i: int) -> str:
     return f"from ({a:.4g}, {b:.4g}) to ({c:.4g}, {d:.4g})"
 
 
-def _crossing(vertices: Array) -> tuple[int, int]:
+def _crossing_edges(vertices: Array) -> tuple[int, int]:
     """Numbers of two edges that meet anywhere but at a common vertex, or -1."""
     row = row_of(PolygonRow, first=0, count=len(vertices))
     i, j = run("crossing_edges", vertices, [row], EdgePair.size)[0]
     return int(i), int(j)
 
 
-def _touching(one: Array, other: Array) -> tuple[int, int]:
+def _touching_edges(one: Array, other: Array) -> tuple[int, int]:
     """Numbers of an edge of one polygon and one of another that have a point in common, or -1."""
     row = row_of(PolygonPair, first=0, count=len(one), other_first=len(one), other_count=len(other))
     i, j = run("touching_edges", np.concatenate([one, other]), [row], EdgePair.size)[0]

@@ -22,7 +22,7 @@ from planar_pushing.pushes.logs.checks import JUMP, ON_OUTLINE, middle_displacem
 from planar_pushing.pushes.logs.path import Path, require_path
 from planar_pushing.pushes.logs.possible import push_numbers
 from planar_pushing.pushes.logs.schema import VARIABLES, XY, outline_arrays, pad, require_pushes
-from planar_pushing.pushes.logs.touching import touching
+from planar_pushing.pushes.logs.touching import touching_pushes
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag
 
@@ -141,7 +141,7 @@ def pushes_from_poses(
         slack = not_negative("tolerance", tolerance, "give a length, or leave it out")
     radius = not_negative("finger_radius", finger_radius, "give 0 for a point")
     skip_missed = require_flag("skip_missed", skip_missed)
-    rows, touch, after = touching(whole, path, radius, slack, skip_missed)
+    rows, touch, after = touching_pushes(whole, path, radius, slack, skip_missed)
     forces = None if force is None else _forces(force, frames)
     arrays: dict[str, Any] = {
         **outline_arrays([whole]),

@@ -16,7 +16,7 @@ from planar_pushing.terms.errors import InvalidValue
 ROUNDING = 1e-9
 
 
-def touching(
+def touching_pushes(
     outline: Outline, path: Path, radius: float, tolerance: float, skip_missed: bool
 ) -> tuple[npt.NDArray[np.intp], Touch, list[Path]]:
     """Numbers of the pushes that touch the object, all first touches, and the paths after them.

@@ -40,7 +40,7 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
     "mode_maps": (ring.mode_set, ring.sticking_force, ring.furthest_pull, contacts.contact_laws),
     "acceleration_centers": (ring.acceleration_center, ring.acceleration_cones),
     "center_regions": (ring.region_ends,),
-    "model_errors": (models.coasting,),
+    "model_errors": (models.coasting_length,),
     "supports": (supports.support_wrench, supports.support_numbers),
     "support_cones": (supports.support_cone, contacts.coefficients),
     "support_modes": (supports.support_solutions, contacts.coefficients),

@@ -146,7 +146,7 @@ STUCK = Function(
     lambda length, psi, pusher: spin_of_stick(
         make_scene(length, psi, share=0.0, law=PerfectlyRough()), pusher
     ),
-    lambda length, psi, pusher: references.sticking(
+    lambda length, psi, pusher: references.sticking_value(
         references.spin, slider(length, psi, 0.0), direction(pusher)
     ),
 )
@@ -181,7 +181,7 @@ SHARED = Function(
 PUSHED = Function(
     "spin_ratio",
     lambda length, psi, pusher, size: spin_of_stick(make_scene(length, psi), pusher, size),
-    lambda length, psi, pusher, size: references.sticking(
+    lambda length, psi, pusher, size: references.sticking_value(
         references.spin, slider(length, psi, None), direction(pusher), size
     ),
 )
@@ -243,7 +243,9 @@ MINIMUM = -0.04002960666599751
 LEVELS = (-1e-8, -1e-4, -0.01, -0.03, -0.04, MINIMUM * (1 - 1e-8), MINIMUM * (1 - 1e-13))
 
 
-def _slipping(branch: int, mu: float, length: float, psi: float, push: float, size: float) -> float:
+def _slip_ratio(
+    branch: int, mu: float, length: float, psi: float, push: float, size: float
+) -> float:
     modes = solve(make_scene(length, psi, mu=mu), push, size)
     slips = [solution.spin_ratio for solution in modes if solution.mode is ContactMode.SLIP_LEFT]
     return float(sorted(slips)[branch])
@@ -266,7 +268,7 @@ def _painleve() -> Iterator[Case]:
         # The pusher moves far to the right, so that every motion slips to the left.
         push = float(np.arctan2(level, 10.0)), float(np.hypot(level, 10.0))
         for branch, name in enumerate(("fast", "slow")):
-            routes = partial(_slipping, branch), partial(_exact_slip, branch)
+            routes = partial(_slip_ratio, branch), partial(_exact_slip, branch)
             label = f"{name} slip at n . u = {level!r}"
             inputs = (COEFFICIENT, LENGTH, PSI, *push)
             yield Case(label, 7, Function("spin_ratio", *routes), inputs)

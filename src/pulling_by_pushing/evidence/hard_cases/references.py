@@ -115,7 +115,7 @@ def under_force(measure: Measure, rod: Slider, force: Direction) -> Number:
     return _of(measure, rod, force, (ray if is_single else unit_motion)(rod, force))
 
 
-def sticking(measure: Measure, rod: Slider, pusher: Direction, size: fmpq = ONE) -> Number:
+def sticking_value(measure: Measure, rod: Slider, pusher: Direction, size: fmpq = ONE) -> Number:
     """A number of the sticking motion under a push."""
     return _of(measure, rod, pusher, stick(rod, pusher, size)[0])
 

@@ -132,7 +132,7 @@ def _push(quantity: str, entry: SupportEntry, length: float, psi: float, angle: 
 ROUTES: dict[str, tuple[Callable[..., Number], references.Measure]] = {
     "motion_angle": (references.under_force, references.turn),
     "force": (references.under_force, references.force_size),
-    "spin_ratio": (references.sticking, references.spin),
+    "spin_ratio": (references.sticking_value, references.spin),
 }
 
 

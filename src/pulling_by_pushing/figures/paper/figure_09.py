@@ -115,7 +115,7 @@ def _line_of_centers(picture: Picture, scene: xr.Dataset) -> None:
         for start, stop, sign in ((right, ends[1], 1.0), (left, ends[0], -1.0)):
             _add_allowed_centers(picture, start, stop)
             middle = 0.36 * start + 0.64 * stop
-            picture.turning(middle, sign, 0.22, CENTER)
+            picture.turn_arrow(middle, sign, 0.22, CENTER)
             text = "$+$" if sign > 0 else "\N{MINUS SIGN}"
             picture.label(middle, text, offset=(12.0, 12.0), color=CENTER)
             picture.label(stop, r"$\infty$", offset=(-10.0, -4.0), color=CENTER)

@@ -133,7 +133,7 @@ def _center_motion(picture: Picture, ring: Any, center: Any, twist: Any, phi: fl
     """Draw the velocity of the ring's center, the rotation, and the distance to the velocity center."""
     ahead = np.array([math.cos(phi), math.sin(phi)])
     picture.motion(ring, 0.75 * ahead * np.sign(twist[:2] @ ahead), "$v$", color=MOTION, head=11.0)
-    picture.turning(center, float(twist[2]), 0.26, CENTER)
+    picture.turn_arrow(center, float(twist[2]), 0.26, CENTER)
     picture.label(center, r"$\omega$", color=CENTER, offset=(20.0, 4.0))
     add_center_mark(picture, center)
     below = -0.34 * ahead

@@ -76,13 +76,13 @@ def pulling_friction_angle(scene: Scene) -> xr.DataArray:
     along the fence to the right; similarly on the left. The angle is as accurate as the directions of
     these forces, whereas mu, its tangent, is not where it is large.
     """
-    right, left = _sustaining(scene, 0.0)[0], -_sustaining(scene, np.pi)[1]
+    right, left = _sustaining_angles(scene, 0.0)[0], -_sustaining_angles(scene, np.pi)[1]
     steeper = right.where(right > left, left)
     angle = cast(xr.DataArray, 90.0 - np.rad2deg(steeper))
     return angle.where(steeper > ALONG_FENCE, 90.0)
 
 
-def _sustaining(scene: Scene, motion: float) -> tuple[xr.DataArray, xr.DataArray]:
+def _sustaining_angles(scene: Scene, motion: float) -> tuple[xr.DataArray, xr.DataArray]:
     """Smallest and largest angle from a motion, radians, to the forces that sustain it.
 
     The two differ if the slider pivots.

@@ -11,7 +11,7 @@ from pulling_by_pushing.oracle.balls import rational, terms
 GRAVITY = 9.80665
 
 
-def coasting(values: StudyValues, support: str, speed: float) -> Record:
+def coasting_length(values: StudyValues, support: str, speed: float) -> Record:
     """Displacement without inertia of a push through the center by a finger that stops: v^2/(2 mu_s g).
 
     With inertia the box then slides over this length, on any support, and without it rests. The computed
