@@ -24,6 +24,7 @@ from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import FLAGS
 from planar_pushing.terms.quantities import MECHANICS, TWIST, TWIST_UNITS, attributes
+from planar_pushing.terms.signals import interrupts_raise_after
 
 #: Rows per block: 1 to 100 ms of work, so that Ctrl-C is noticed and threads cost little.
 BLOCK = 32768
@@ -124,14 +125,18 @@ def in_threads(
         for start in starts:
             block(start)
         return
-    with ThreadPoolExecutor(cores) as pool:
+    stopped = Event() if interrupted is None else interrupted
+
+    def block_unless_stopped(start: int) -> None:
+        if not stopped.is_set():
+            block(start)
+
+    with interrupts_raise_after(stopped.set), ThreadPoolExecutor(cores) as pool:
         try:
-            for _ in pool.map(block, starts):
+            for _ in pool.map(block_unless_stopped, starts):
                 pass
         except BaseException:
-            if interrupted is not None:
-                interrupted.set()
-            pool.shutdown(wait=False, cancel_futures=True)
+            stopped.set()
             raise
 
 

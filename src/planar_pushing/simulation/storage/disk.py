@@ -13,11 +13,12 @@ import io
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
 from planar_pushing.terms.locks import PathLike, regular_file, sole_writer, unwritable
+from planar_pushing.terms.signals import interrupt_handlers
 
 
 class Disk(io.FileIO):
@@ -131,21 +132,14 @@ def block_interrupts() -> Iterator[None]:
     HDF5 crashes if the Python file that it writes raises, and if objects of HDF5 are destroyed while that
     file is called, which the collection of garbage can do at any time.
     """
-    with PAUSE, _hold_interrupts():
+    with _hold_interrupts(), PAUSE:
         yield
 
 
 @contextmanager
 def _hold_interrupts() -> Iterator[None]:
     """Hold back the signals that call a function in Python, which could raise."""
-    if threading.current_thread() is not threading.main_thread():  # only it receives signals
-        yield
-        return
-    held: list[Any] = []
-    handlers: dict[signal.Signals, Callable[..., Any]] = {}
-    for number in (signal.SIGINT, signal.SIGTERM):
-        if callable(handler := signal.getsignal(number)):
-            handlers[number] = handler
+    held, handlers = list[Any](), interrupt_handlers()
     for number in handlers:
         signal.signal(number, lambda *arguments: held.append(arguments))
     try:
