@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -90,6 +91,23 @@ def test_a_second_interrupt_is_raised_at_once():
 def test_sigterm_is_raised_as_what_it_is():
     with pytest.raises(Termination), termination_as_interrupt():
         in_threads(lambda start: start or signal.raise_signal(signal.SIGTERM), range(3))
+
+
+@pytest.mark.parametrize("name", ["submit", "shutdown"])
+def test_nothing_is_raised_within_the_pool_of_threads(monkeypatch, name):
+    """Where the exception could come between a lock of the pool and its release."""
+    called, reached = getattr(ThreadPoolExecutor, name), []
+
+    def call_interrupted(*arguments, **options):
+        if not reached:
+            signal.raise_signal(signal.SIGINT)
+        reached.append(1)
+        return called(*arguments, **options)
+
+    monkeypatch.setattr(ThreadPoolExecutor, name, call_interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        in_threads(lambda start: None, range(10))
+    assert len(reached) == {"submit": 10, "shutdown": 1}[name]
 
 
 @pytest.mark.parametrize("number", [1, 100])

@@ -33,8 +33,8 @@ from pulling_by_pushing.study.catalog import SIMULATIONS
 Floats = npt.NDArray[np.float64]
 #: Root attribute of a golden file that states how its numbers are known, a `Kind`.
 KIND = "golden_kind"
-#: Angles in degrees that are compared up to whole turns: a direction between -180 and 180, whose branch
-#: rounding decides at half a turn.
+#: Angles in degrees that are compared up to whole turns: at half a turn, rounding decides the sign of a
+#: direction between -180 and 180.
 UP_TO_TURNS = ("sticking_force_angle",)
 #: Beginning of the problem of a result that is of another study than the golden file.
 OTHER_STUDY = "has study_digest "

@@ -33,7 +33,7 @@ def _read(
 
 
 def _at(content: dict[str, Any], path: tuple[str, ...]) -> Any:
-    """What the file has at a path of keys."""
+    """The value in the file at a path of keys."""
     node: Any = content
     for key in path:
         node = node[key]
