@@ -34,12 +34,14 @@ endif
 .PHONY: all test test-all test-processors test-slurm test-drags mutants lint coverage bench golden images front pages dictionary lock report jobs-report manual clean help
 .DELETE_ON_ERROR:
 
-# One make at a time. The operating system releases the lock when its process ends, even if it is killed.
+# One make at a time. The operating system releases the lock when its process ends, even if it is killed. A command
+# that takes long replaces the shell, so that a signal sent to make, which passes it on, reaches the command.
 LOCK := exec 9>>.making; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX | fcntl.LOCK_NB)' 2>/dev/null || { \
 	echo "Another make is running in this folder; waiting for it"; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
 
 all: $(CORE)
-	@$(LOCK); $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY)) && $(BIN)/python -m pulling_by_pushing.report.closing $(STUDY)
+	@$(LOCK); exec $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY))
+	@$(BIN)/python -m pulling_by_pushing.report.closing $(STUDY)
 
 # An environment is valid only for its folder and the locked packages.
 STATE := $(CURDIR) $(shell cat requirements.lock pyproject.toml | cksum)
@@ -69,7 +71,7 @@ test-all: $(CORE) ## run the slow tests: workflow, manual, processors, failures,
 	$(BIN)/pytest -m alone
 	$(PROCESSORS)
 
-PROCESSORS = @$(LOCK); $(BIN)/python -m pulling_by_pushing.evidence.golden.processors
+PROCESSORS = @$(LOCK); exec $(BIN)/python -m pulling_by_pushing.evidence.golden.processors
 test-processors: $(CORE) ## build and check the golden data as on older processors, and with all features of this one
 	$(PROCESSORS)
 
@@ -99,7 +101,7 @@ bench: $(CORE) ## print the speed of the mechanics and the simulations, as ratio
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(CORE) ## recompute the golden data of the results and print the differences; WRITE=1 stores them
-	@$(LOCK); $(BIN)/snakemake data accuracy
+	@$(LOCK); exec $(BIN)/snakemake data accuracy
 	$(BIN)/python -m pulling_by_pushing.evidence.golden.update $(if $(WRITE),--write)
 
 images: $(CORE) ## compare the figures with their stored images; WRITE=1 stores them
@@ -115,13 +117,14 @@ dictionary: $(INSTALLED) ## write results/README.md from the attributes of the d
 	$(BIN)/python -m pulling_by_pushing.study.dictionary
 
 manual: $(CORE) ## write the manual to results/manual/index.html; missing results are built first
-	@$(LOCK); $(BIN)/snakemake manual
+	@$(LOCK); exec $(BIN)/snakemake manual
 
 report: $(CORE) ## write the report to results/paper.pdf; missing results are built first
-	@$(LOCK); $(BIN)/snakemake paper && echo "results/paper.pdf"
+	@$(LOCK); exec $(BIN)/snakemake paper
+	@echo "results/paper.pdf"
 
 jobs-report: all ## write results/report.html, Snakemake's report on the jobs of the last run
-	@$(LOCK); $(BIN)/snakemake --report results/report.html
+	@$(LOCK); exec $(BIN)/snakemake --report results/report.html
 
 lock: $(INSTALLED) ## update requirements.lock to the newest versions of the dependencies
 	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \

@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 
 import pytest
 from workflow.conftest import PROJECT
@@ -69,6 +70,28 @@ def test_what_is_made_is_not_made_again_but_for_other_packages_or_in_another_pla
     moved = folder.rename(folder.with_name("moved"))
     assert "Installing the locked packages" in make(moved)
     assert "Installing" not in make(moved)
+
+
+#: A Snakemake that runs until a signal ends it, and notes both.
+SNAKEMAKE = """#!/bin/sh
+trap 'echo ended >> log; exit 143' TERM
+echo started >> log
+for i in $(seq 600); do sleep 0.1; done
+"""
+
+
+@pytest.mark.parametrize("target", ["all", "report", "manual", "golden"])
+def test_a_signal_to_make_alone_ends_the_run_too(folder, target):
+    make(folder)
+    (folder / ".venv/bin/snakemake").write_text(SNAKEMAKE, encoding="utf-8")
+    run = start(folder, target)
+    while "started" not in (folder / "log").read_text():
+        assert run.poll() is None
+        time.sleep(0.01)
+    run.terminate()
+    run.communicate()
+    assert run.returncode != 0
+    assert (folder / "log").read_text().endswith("started\nended\n")
 
 
 @pytest.mark.parametrize(
