@@ -36,7 +36,7 @@ def open_dataset(
     Returns
     -------
     xarray.Dataset
-        Dataset in memory, or read on demand if it is above 8 MB or stored in chunks; angles are in
+        Dataset in memory, or read on demand if it is above 64 MB or stored in chunks; angles are in
         degrees.
 
     Raises

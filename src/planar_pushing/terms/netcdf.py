@@ -21,8 +21,8 @@ ENGINE: Literal["h5netcdf"] = "h5netcdf"
 SMALL = 4096
 #: Maximum number of values in a separately compressed piece, and the compression level.
 STORED, LEVEL = 2**15, 1
-#: Size in bytes above which a dataset is read on demand.
-LARGE = 2**23
+#: Size in bytes above which a dataset is read on demand; a smaller one is read whole in less time.
+LARGE = 2**26
 #: Remedy for a file that is not netCDF4, for readers who expect a dataset.
 REBUILD = "give a dataset, or rebuild a damaged one"
 
@@ -110,8 +110,24 @@ def read_attributes(path: PathLike) -> dict[str, object]:
         return dict(Attributes(file.attrs, np.dtype, h5py))
 
 
+class _File(h5py.File):  # type: ignore[misc]
+    """A file that keeps its objects: h5netcdf looks for a variable and its axes 40 times to read it."""
+
+    def __init__(self, path: PathLike) -> None:
+        super().__init__(path, "r")
+        self.path = path  # names the source of a dataset in xarray
+        self._kept: dict[str, Any] = {}
+
+    def __getitem__(self, name: Any) -> Any:
+        if not isinstance(name, str):
+            return super().__getitem__(name)  # of a reference
+        if name not in self._kept:
+            self._kept[name] = super().__getitem__(name)
+        return self._kept[name]
+
+
 def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBUILD) -> xr.Dataset:
-    """Read a dataset into memory and close its file; a dataset above 8 MB is read on demand.
+    """Read a dataset into memory and close its file; a dataset above 64 MB is read on demand.
 
     Parameters
     ----------
@@ -129,14 +145,17 @@ def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBU
     if group not in (None, *group_names(path, remedy)):
         raise InvalidFile(f"{path}: has no group {group!r}; delete it and build it again")
     with reading(path, remedy):
-        # An HDF5 file that is not netCDF4 has no named dimensions. No dataset holds dates.
-        opened = xr.open_dataset(
-            path, engine=ENGINE, group=group, phony_dims="access", decode_times=False
-        )
-        if opened.nbytes > LARGE:
-            return opened
-        with opened:
-            return opened.load()
+        with _File(path) as file, _open(file, group) as opened:
+            if opened.nbytes <= LARGE:
+                return opened.load()
+        return _open(path, group)
+
+
+def _open(file: PathLike | _File, group: str | None) -> xr.Dataset:
+    # An HDF5 file that is not netCDF4 has no named dimensions. No dataset holds dates.
+    return xr.open_dataset(
+        file, engine=ENGINE, group=group, phony_dims="access", decode_times=False
+    )
 
 
 def group_names(path: PathLike, remedy: str = REBUILD) -> list[str]:

@@ -5,6 +5,7 @@ import pytest
 import xarray as xr
 
 from planar_pushing import InvalidFile, InvalidValue
+from planar_pushing.terms import netcdf
 from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.study.query import axis_names, select
 from pulling_by_pushing.study.store import read_dataset
@@ -24,7 +25,8 @@ def test_labels_along_an_axis_are_axes_too():
     assert float(found.angle) == 4.0
 
 
-def test_damage_in_what_is_read_late_is_one_line(tmp_path):
+def test_damage_in_what_is_read_late_is_one_line(tmp_path, monkeypatch):
+    monkeypatch.setattr(netcdf, "LARGE", 2**23)
     noise = np.random.default_rng(3).random((300, 4000))
     write_dataset(
         xr.Dataset({"grid": (("a", "b"), noise)}, {"a": range(300)}), tmp_path / "large.nc"

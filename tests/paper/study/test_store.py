@@ -8,6 +8,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
+from planar_pushing.terms import netcdf
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.netcdf import group_names, read_attributes, write_dataset
 from pulling_by_pushing.study.store import read_dataset
@@ -101,6 +102,7 @@ def test_only_what_is_large_is_compressed(path):
 
 
 def test_of_a_large_variable_only_what_is_used_is_read(path, tmp_path, monkeypatch):
+    monkeypatch.setattr(netcdf, "LARGE", 2**23)
     values = np.arange(1_200_000.0).reshape(300, 4000)
     large = xr.Dataset({"grid": (("a", "b"), values)}, coords={"a": range(300)})
     write_dataset(large, path)
