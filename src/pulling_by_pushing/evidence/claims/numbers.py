@@ -51,8 +51,10 @@ def force(mechanics: Mechanics, scene: Scene, force_angle: fmpq) -> arb:
 
 def friction(mechanics: Mechanics, k: arb) -> Pair:
     """Force f and torque t of the ring; f decreases with k and t increases."""
-    ends = [mechanics.wrench(RING, (1, 0, end)) for end in (k.lower(), k.upper())]
-    return ends[0][0].union(ends[1][0]), ends[0][2].union(ends[1][2])
+    ends = (k,) if k.is_exact() else (k.lower(), k.upper())
+    wrenches = [mechanics.wrench(RING, (1, 0, end)) for end in ends]
+    first, last = wrenches[0], wrenches[-1]
+    return first[0].union(last[0]), first[2].union(last[2])
 
 
 @number(right="degree", left="degree", half_angle="degree")
@@ -141,16 +143,15 @@ def ellipse_shortfall(mechanics: Mechanics, scene: Scene) -> arb:
     """Largest radial distance inside the ellipse with the same extrema, as a fraction of its radius."""
     length = rational(scene.rod_length)
 
-    def ratio(k: fmpq) -> Pair:
-        return friction(mechanics, arb(k))
+    def difference(k: fmpq, by_torque: fmpq | arb, by_force: fmpq) -> arb:
+        f, t = friction(mechanics, arb(k))
+        return by_torque * t - by_force * f
 
-    end = root(lambda k: ratio(k)[1] - length * ratio(k)[0], length / 4, 4 * length)
+    end = root(lambda k: difference(k, ONE, length), length / 4, 4 * length)
     squeeze = (1 / friction(mechanics, end)[0] ** 2 - 1) / arb(length) ** 2
 
     def spin_ratio_at(size: arb) -> arb:
-        return root(
-            lambda k: size * ratio(k)[1] - k * ratio(k)[0], fmpq(1, 2**20), rational(float(end))
-        )
+        return root(lambda k: difference(k, size, k), fmpq(1, 2**20), rational(float(end)))
 
     k_at_minimum = spin_ratio_at(squeeze.lower()).union(spin_ratio_at(squeeze.upper()))
     f, t = friction(mechanics, k_at_minimum)

@@ -24,6 +24,7 @@ from pulling_by_pushing.oracle.balls import (
     dot,
     in_degrees,
     rational,
+    remember,
     sign,
 )
 from pulling_by_pushing.oracle.body import Body
@@ -73,7 +74,7 @@ class Scene:
     rod_length: float | fmpq = 0.0
     rod_angle: float = 45.0
     law: float | str = "definition-1"
-    support: Mapping[str, Any] = field(default_factory=lambda: {"shape": "ring"})
+    support: Mapping[str, Any] = field(default_factory=lambda: {"shape": "ring"}, hash=False)
     effects: str = FRICTION
     gyration_radius: float = 1.0
     mass_along: float = 0.0
@@ -177,6 +178,7 @@ def profile(k: arb) -> Pair:
     return f_high.union(f_low), t_low.union(t_high)
 
 
+@remember(1 << 10)  # so that its motions are remembered, too
 def _slider(scene: Scene, power: fmpq = ONE) -> Slider:
     """The slider with a mass that is `power` times that of the scene."""
     has_friction, has_mass = (effect in scene.effects.split("+") for effect in (FRICTION, INERTIA))
