@@ -151,69 +151,45 @@ rule data:
 # --- Figures --------------------------------------------------------------------------------------------------
 
 
-# The figures of a study, of what accuracy costs, and of measured pushes: each from the datasets that its module in
-# `pulling_by_pushing.figures` names, cut at the values that the study gives.
-rule figure:
-    input:
-        lambda wildcards: figures.files(wildcards.figure, wildcards.results),
-    output:
-        svg=report(
-            "{results}/figures/{figure}.svg",
-            category=figure_category,
-            caption="workflow/report/figure.rst",
-            labels={"figure": "{figure}"},
-        ),
-        pdf="{results}/figures/{figure}.pdf",
-        png="{results}/figures/{figure}.png",
-    log:
-        "{results}/logs/figures/{figure}.log",
-    benchmark:
-        "{results}/benchmarks/figures/{figure}.tsv"
-    wildcard_constraints:
-        figure=one_of(figures.figure_names()),
-    params:
-        call="figures.render:figure",
-        code=figure_code,
-        name="{figure}",
-        results="{results}",
-        cuts=lambda wildcards: cuts(STUDIES[wildcards.results], wildcards.figure),
-        title=lambda wildcards: figures.entry(wildcards.figure).title,
-        promise=lambda wildcards: figures.entry(wildcards.figure).promise,
-    message:
-        "Drawing {wildcards.figure}"
-    script:
-        RUN
-
-
-# Simulations that no figure shows, in one job.
-for folder, study in STUDIES.items():
-    names = undrawn(study)
+# Figures of a study, of what accuracy costs, and of measured pushes: each is drawn from the datasets that its module
+# in `pulling_by_pushing.figures` names, cut at the values that the study gives. One job draws those of a section, and
+# another simulations that no figure shows.
+for folder, section, names, simulations in figure_jobs():
+    drawings = [*names, *(f"simulation_{name}" for name in simulations)]
 
     rule:
         name:
-            f"simulation_figures_{study_name(FILES[folder])}"
+            f"figures_{section}_{study_name(FILES[folder])}"
         input:
-            sources=[f"{folder}/data/simulations/{name}.nc" for name in names],
+            sorted({file for name in names for file in figures.files(name, folder)}),
+            [f"{folder}/data/simulations/{name}.nc" for name in simulations],
         output:
             svg=[
                 report(
-                    f"{folder}/figures/simulation_{name}.svg",
-                    category="Motion over time",
-                    caption="workflow/report/simulation.rst",
+                    f"{folder}/figures/{name}.svg",
+                    category=figure_category(name),
+                    caption="workflow/report/figure.rst",
                     labels={"figure": name},
                 )
-                for name in names
+                for name in drawings
             ],
-            pdf=[f"{folder}/figures/simulation_{name}.pdf" for name in names],
-            png=[f"{folder}/figures/simulation_{name}.png" for name in names],
+            pdf=[f"{folder}/figures/{name}.pdf" for name in drawings],
+            png=[f"{folder}/figures/{name}.png" for name in drawings],
         log:
-            f"{folder}/logs/figures/simulations.log",
+            f"{folder}/logs/figures/{section}.log",
         benchmark:
-            f"{folder}/benchmarks/figures/simulations.tsv"
+            f"{folder}/benchmarks/figures/{section}.tsv"
         params:
-            **runs("figures.render:simulation_figures"),
+            **runs(
+                "figures.render:draw_figures",
+                *(f"figures.{figures.module_name(name)}" for name in names),
+            ),
+            results=folder,
+            figures={name: cuts(STUDIES[folder], name) for name in names},
+            simulations=simulations,
+            captions=figure_captions(names),
         message:
-            f"Drawing the simulations of {FILES[folder]}"
+            f"Drawing {', '.join(drawings)}"
         script:
             RUN
 

@@ -19,6 +19,7 @@ from pulling_by_pushing.figures.measured import PUSHES_FILE
 from pulling_by_pushing.figures.studies import (
     OURS,
     PUSHES,
+    SECTIONS,
     cuts,
     load_drawn_study,
     study_figures,
@@ -249,17 +250,32 @@ def dataset_code(wildcards):
     return code.code_of("study.running.build", f"study.datasets.{builder}")
 
 
-def figure_code(wildcards):
-    """Digest of the code of a figure."""
-    drawing = figures.module_name(wildcards.figure)
-    return code.code_of("figures.render", f"figures.{drawing}")
+def figure_jobs():
+    """Jobs that draw: results folder, section, figures, and simulations that no figure shows."""
+    for folder, study in STUDIES.items():
+        drawn = {*study.figures, *(OURS if folder == WHOLE else ())}
+        for section, section_names in SECTIONS.items():
+            names = [name for name in section_names if name in drawn]
+            simulations = undrawn(study) if section == "motion" else []
+            if names or simulations:
+                yield folder, section, names, simulations
 
 
-def figure_category(wildcards):
-    """Section in Snakemake's report of a figure."""
-    name = wildcards.figure
-    ours = "Measured pushes" if name in PUSHES else "What accuracy costs"
-    return figures.entry(name).section or ours
+def figure_category(name):
+    """Section in Snakemake's report of a figure, or of the drawing of a simulation."""
+    if name in PUSHES:
+        return "Measured pushes"
+    if name in OURS:
+        return "What accuracy costs"
+    return (
+        figures.entry(name).section if name in study_figures() else "Motion over time"
+    )
+
+
+def figure_captions(names):
+    """Name, title and announced content of figures, for Snakemake's report."""
+    entries = {name: figures.entry(name) for name in names}
+    return [[name, entry.title, entry.promise] for name, entry in entries.items()]
 
 
 def dataset_call(wildcards):

@@ -11,7 +11,7 @@ from pulling_by_pushing.study.running.jobs import job_log
 
 if __name__ == "__main__":  # processes that a job starts read this file again, without a job
     arguments = dict(snakemake.params.items())
-    for name in ("code", "title", "promise"):  # for Snakemake and its report
+    for name in ("code", "captions"):  # for Snakemake and its report
         arguments.pop(name, None)
     arguments |= arguments.pop("values", {})
 

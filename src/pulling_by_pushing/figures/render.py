@@ -1,46 +1,68 @@
-"""Draw a figure from the datasets of a results folder, and save it."""
+"""Draw figures from the datasets of a results folder, and save them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import partial
+import logging
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 from planar_pushing.drawing.canvas.style import save_drawn
-from pulling_by_pushing.figures.figure import Cuts, drawing, view
+from pulling_by_pushing.figures.figure import Cuts, Drawing, drawing, view
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from planar_pushing.terms.replacing import PathLike
 
+LOGGER = logging.getLogger("planar_pushing")
 
-def figure(
-    *, name: str, results: PathLike, cuts: Cuts | None = None, **paths: PathLike
-) -> None:  # fmt: skip
-    """Draw a figure from its datasets and save it.
+
+def draw_figures(
+    *,
+    results: PathLike,
+    figures: Mapping[str, Cuts],
+    simulations: Sequence[str] = (),
+    **paths: Sequence[PathLike],
+) -> None:
+    """Draw figures from their datasets, and simulations from their logs, and save each.
 
     Parameters
     ----------
-    name : str
-        Name of the figure, such as "figure_01".
     results : path
         Folder that contains data/*.nc.
-    cuts : mapping, optional
-        Values of the study for this figure, from `studies.cuts`; none for a figure of no study.
-    paths : paths
-        Pictures to save; the ending of a name determines the format.
+    figures : mapping of str to mapping
+        Values of the study for each figure, such as "figure_01", from `studies.cuts`; none for a figure of
+        no study.
+    simulations : sequence of str
+        Names of simulations, such as "turning_fence".
+    paths : sequences of paths
+        Pictures of one format each, of the figures and then of the simulations; the ending of a name
+        determines the format.
     """
-    figure_drawing, data = drawing(name), view(name, results, cuts)
-
-    def draw(figure: Any) -> None:
-        figure_drawing.draw(figure, data)
-
-    save_drawn(draw, figure_drawing.figure.size, paths.values())
+    drawings = _drawings(results, figures, simulations)
+    for (name, draw, size), *pictures in zip(drawings, *paths.values(), strict=True):
+        LOGGER.info("drawing %s", name)
+        save_drawn(draw, size, pictures)
 
 
-def simulation_figures(sources: Sequence[PathLike], **paths: Sequence[PathLike]) -> None:
-    """Draw simulations from their logs; the paths are lists in the order of the logs."""
-    from planar_pushing.drawing.draw import LOG, plot_log
-    from planar_pushing.terms.netcdf import read_dataset
+def _drawings(
+    results: PathLike, figures: Mapping[str, Cuts], simulations: Sequence[str]
+) -> Iterator[tuple[str, Callable[[Figure], object], tuple[float, float]]]:
+    """Name of each picture, the function that draws it, and its size in inches."""
+    from pulling_by_pushing.study.store import open_dataset
 
-    for source, *pictures in zip(sources, *paths.values(), strict=True):
-        save_drawn(partial(plot_log, read_dataset(source)), LOG, pictures)
+    read: Callable[..., Any] = cache(open_dataset)  # figures of one section share datasets
+    for name, cuts in figures.items():
+        figure_drawing = drawing(name)
+        data = view(name, results, cuts, read)
+        yield name, partial(_draw_view, figure_drawing, data), figure_drawing.figure.size
+    if simulations:
+        from planar_pushing.drawing.draw import LOG, plot_log
+
+        for name in simulations:
+            yield name, partial(plot_log, read(f"simulations/{name}", results)), LOG
+
+
+def _draw_view(figure_drawing: Drawing, data: Any, figure: Figure) -> None:
+    figure_drawing.draw(figure, data)

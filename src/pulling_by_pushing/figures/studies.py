@@ -15,10 +15,24 @@ from pulling_by_pushing.study.model import StudyFile
 from pulling_by_pushing.study.slices import computes
 from pulling_by_pushing.study.study_file import load_study
 
+#: Figures by section of the workflow. One job draws a section, because its figures share datasets, and
+#: because starting Python and importing what draws takes longer than drawing one figure.
+SECTIONS = {
+    "quasi_static": tuple(f"figure_{number:02}" for number in range(1, 9)),
+    "dynamic": tuple(f"figure_{number:02}" for number in range(9, 13)),
+    "contact_modes": ("figure_13",),
+    "motion": ("pulling_over_time", "slip_over_time"),
+    "effects": ("model_errors",),
+    "any_slider": (
+        "friction_for_pulling", "support_limit_curves", "slip_of_supports", "pivoting_tripod",
+    ),
+    "accuracy": ("accuracy", "hard_cases"),
+    "pushes": ("measured_pressures", "measured_errors"),
+}  # fmt: skip
 #: Figures on measured pushes, drawn from numbers in the project's folder.
-PUSHES = ("measured_pressures", "measured_errors")
+PUSHES = SECTIONS["pushes"]
 #: Figures on the computations and predictions of this work; they are the same for every study.
-OURS = (*PUSHES, "accuracy", "hard_cases")
+OURS = (*PUSHES, *SECTIONS["accuracy"])
 #: Figures in the order in which the report mentions them; numbers of its supplement begin with S.
 BODY = (
     *(f"figure_{number:02}" for number in range(1, 14)),

@@ -22,6 +22,12 @@ def paths(folder):
     return {kind: folder / f"picture.{kind}" for kind in KINDS}
 
 
+def draw(results, folder, **pictures):
+    """Draw one picture into a folder, in each format."""
+    files = {kind: [path] for kind, path in paths(folder).items()}
+    render.draw_figures(results=results, **pictures, **files)
+
+
 def contents(folder):
     return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
@@ -47,18 +53,18 @@ def test_a_figure_is_drawn_from_its_datasets_alike_twice(results, studies, plott
         xr.testing.assert_equal(dataset, plotted[name][source])
     for run in ("one", "two"):
         (folder / run).mkdir()
-        render.figure(name=name, results=folder, cuts=given, **paths(folder / run))
+        draw(folder, folder / run, figures={name: given})
     assert contents(folder / "one") == contents(folder / "two")
     wide, _ = drawing(name).figure.size
     assert f'width="{72 * wide:g}pt"' in (folder / "one/picture.svg").read_text(encoding="utf-8")
 
 
 def test_a_simulation_is_drawn_from_its_log(logs, tmp_path):
-    write_dataset(logs["pulling_lost"], tmp_path / "log.nc")
+    (tmp_path / "data/simulations").mkdir(parents=True)
+    write_dataset(logs["pulling_lost"], tmp_path / "data/simulations/pulling_lost.nc")
     for run in ("one", "two"):
         (tmp_path / run).mkdir()
-        files = {kind: [path] for kind, path in paths(tmp_path / run).items()}
-        render.simulation_figures([tmp_path / "log.nc"], **files)
+        draw(tmp_path, tmp_path / run, figures={}, simulations=["pulling_lost"])
     assert contents(tmp_path / "one") == contents(tmp_path / "two")
 
 

@@ -85,4 +85,7 @@ def test_a_folder_without_logs_stops_before_any_job(copy):
 
 
 def test_the_default_build_draws_the_figures_and_measures_nothing(copy):
-    assert jobs(run(copy, "--dry-run", "pushes_figures")) == {"figure": 2, "pushes_figures": 1}
+    assert jobs(run(copy, "--dry-run", "pushes_figures")) == {
+        "figures_pushes_paper": 1,
+        "pushes_figures": 1,
+    }

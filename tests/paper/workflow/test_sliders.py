@@ -4,13 +4,14 @@ import pytest
 from workflow.conftest import Copy, copy_project
 from workflow.test_workflow import CODE, edited, jobs, outputs, targets
 
-from pulling_by_pushing.figures.studies import study_figures
+from pulling_by_pushing.figures.studies import OURS, SECTIONS
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.study_file import load_study
 
 pytestmark = pytest.mark.slow
 
 STUDY = "workflow/config/sliders_smoke.yaml"
+FIGURES = "figures_any_slider_sliders_smoke"
 GALLERY = load_study(STUDY).figures
 OF_SUPPORTS = [name for name, entry in DATASETS.items() if "support" in entry.dims]
 
@@ -41,9 +42,9 @@ def test_every_output_is_a_target(sliders):
 @pytest.mark.parametrize(
     ("module", "stale"),
     [
-        ("pulling_by_pushing/figures/sliders/friction_for_pulling.py", {"figure": 1}),
-        ("pulling_by_pushing/study/datasets/supports.py", {"supports": 1, "figure": 3}),
-        ("planar_pushing/simulation/pusher.py", {"simulations_sliders_smoke": 1, "figure": 1}),
+        ("pulling_by_pushing/figures/sliders/friction_for_pulling.py", {FIGURES: 1}),
+        ("pulling_by_pushing/study/datasets/supports.py", {"supports": 1, FIGURES: 1}),
+        ("planar_pushing/simulation/pusher.py", {"simulations_sliders_smoke": 1, FIGURES: 1}),
     ],
 )
 def test_only_what_depends_on_a_module_reruns(sliders, module, stale):
@@ -58,9 +59,12 @@ def test_both_studies_are_built_and_nothing_twice(fresh):
         text = file.read_text(encoding="utf-8").replace(f"golden: ../../{golden}\n", "")
         file.write_text(text, encoding="utf-8")
     alone = jobs(fresh.dry("--config", "study=workflow/config/sliders.yaml"))
-    others = {"simulations_sliders": 1, "figure": 4, "all": 1}
+    others = {"simulations_sliders": 1, "figures_any_slider_sliders": 1, "all": 1}
     assert alone == dict.fromkeys(OF_SUPPORTS, 1) | others
     both = jobs(fresh.dry())
     assert DATASETS.keys() <= both.keys()
-    assert both["figure"] == len(study_figures())
+    for section, names in SECTIONS.items():
+        study = "sliders" if section == "any_slider" else "paper"
+        drawn = both.get(f"figures_{section}_{study}", 0)
+        assert drawn == (not set(names) <= set(OURS)), section
     assert jobs(fresh.dry("--config", "study=workflow/config/paper.yaml")) == both
