@@ -184,7 +184,7 @@ for folder, section, names, simulations in figure_jobs():
                 "figures.render:draw_figures",
                 *(f"figures.{figures.module_name(name)}" for name in names),
             ),
-            results=folder,
+            values={"results": folder},
             figures={name: cuts(STUDIES[folder], name) for name in names},
             simulations=simulations,
             captions=figure_captions(names),
