@@ -105,11 +105,11 @@ def _line_costs(tries: _Candidates, half: Array, path: Array, others: Array) -> 
     length = np.hypot(*(end - start).T)
     tree = cKDTree(others)
     close = (_count_covered(center, half + CLEAR, others) > 0) & (length <= LEADERS[0])
-    touches = (tree.query(_on_leaders(tries))[0] < TOUCH).sum(axis=1)
+    touches = (tree.query(_on_leaders(tries), distance_upper_bound=TOUCH)[0] < TOUCH).sum(axis=1)
     return np.asarray(
         LENGTH * length
         + COVER * _count_covered(center, half, np.vstack([path, others]))
-        + SHARED * np.clip(1 - tree.query(start)[0] / CLEAR, 0, 1)
+        + SHARED * np.clip(1 - tree.query(start, distance_upper_bound=CLEAR)[0] / CLEAR, 0, 1)
         + CLOSE * close
         + CROSSING * touches
     )
