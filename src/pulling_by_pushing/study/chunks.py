@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from pulling_by_pushing.study.model import StudyFile
 
 #: Maximum number of points of a block, which one call computes.
-BLOCK = 2**16
+BLOCK = 2**17
 #: Bytes of a variable that dask reads at once.
 PIECE = 2**24
 #: Points per thread of a job, and the maximum number of threads.
