@@ -86,7 +86,8 @@ def _push(
     """Runs of pushes over the distance."""
     radians = np.deg2rad(angle)
     pusher = Pusher(velocity=(speed * np.cos(radians), speed * np.sin(radians)), shape="finger")
-    return _run(_scene(part, effects, place), pusher, part.distance / speed)
+    point = xr.concat([place, xr.full_like(place, -part.width / 2.0)], "xy").transpose(..., "xy")
+    return _run(_scene(part, effects, point), pusher, part.distance / speed)
 
 
 def _coasting_error(part: ModelErrors, support: Any, speed: float) -> float:
@@ -96,17 +97,16 @@ def _coasting_error(part: ModelErrors, support: Any, speed: float) -> float:
     pusher = Pusher(velocity=[(0.0, (0.0, speed)), (stop, (0.0, 0.0))], shape="finger")
     duration = stop + REST * speed / (part.support_friction_coefficient * GRAVITY)
     both, alone = (
-        _run(_scene(part, effects, xr.DataArray([0.0], dims="push")), pusher, duration)
+        _run(_scene(part, effects, (0.0, -part.width / 2.0)), pusher, duration)
         for effects in ((friction, inertia), (friction,))
     )
     return float(_difference(part, both, alone).squeeze())
 
 
-def _scene(part: ModelErrors, effects: tuple[Effect, ...], place: xr.DataArray) -> Scene:
-    """The box with a contact at places on its side."""
-    point = xr.concat([place, xr.full_like(place, -part.width / 2.0)], "xy")
+def _scene(part: ModelErrors, effects: tuple[Effect, ...], point: Any) -> Scene:
+    """The box with a contact at one or more points of its side."""
     return scene_at(
-        point.transpose(..., "xy"),
+        point,
         effects=effects,
         contact=Coulomb(part.friction_coefficient),
         outline=Polygon.rectangle(part.length, part.width),
@@ -119,7 +119,7 @@ def _run(scene: Scene, pusher: Pusher, duration: Any) -> xr.Dataset:
     run: xr.Dataset = quietly(simulate_batch)(
         scene, pusher, duration=duration, samples=SAMPLES, object_pose=pose
     )
-    return run.reset_coords(drop=True)
+    return run.drop_vars(list(run.coords))
 
 
 def _difference(part: ModelErrors, run: xr.Dataset, other: xr.Dataset) -> xr.DataArray:
@@ -136,4 +136,4 @@ def _corners(part: ModelErrors, run: xr.Dataset) -> xr.DataArray:
             zip((part.length, part.width), signs.T, strict=True))  # fmt: skip
     angle = np.deg2rad(run["object_angle"])
     c, s = np.cos(angle), np.sin(angle)
-    return run["object_position"] + xr.concat([x * c - y * s, x * s + y * c], run["xy"])
+    return run["object_position"] + xr.concat([x * c - y * s, x * s + y * c], "xy")
