@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactMode, PerfectlyRough
 from planar_pushing.mechanics.force.cones import friction_cone
-from planar_pushing.mechanics.plane import direction
+from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from pulling_by_pushing.study.datasets.base import axis, labeled_radians, objects, over_effects
@@ -73,12 +74,20 @@ def _furthest_pull(scene: Scene, rough: Scene, magnitude: xr.DataArray) -> xr.Da
 
     A force and its motion differ by less than 90 degrees; this half turn is halved.
     """
-    edge: xr.DataArray = friction_cone(scene).right
-    e_x, e_y = (edge.copy(data=part) for part in direction(edge.values).T)
-    angle = edge + 0 * magnitude
-    step = np.pi / 2
-    for _ in range(ANGLE_HALVINGS):
-        x, y = _sticking_force(rough, angle, magnitude)
-        angle = angle - step * np.sign(e_x * y - e_y * x)
-        step /= 2
+
+    def halve(edge: Array, magnitude: Array, length: Array) -> Array:
+        scenes = replace(rough, slider=replace(rough.slider, rod_length=length))
+        e_x, e_y = np.moveaxis(direction(edge), -1, 0)
+        angle, step = edge + 0 * magnitude, np.pi / 2
+        for _ in range(ANGLE_HALVINGS):
+            solutions = solve(scenes, angle, magnitude)
+            sticks = solutions.mode == ContactMode.STICK
+            force = np.fmax.reduce(np.where(sticks[..., None], solutions.force, np.nan), axis=-2)
+            angle = angle - step * np.sign(e_x * force[..., 1] - e_y * force[..., 0])
+            step /= 2
+        return angle
+
+    # Without labels, which would take longer than the solutions.
+    edge, length = friction_cone(scene).right, rough.slider.rod_length
+    angle: xr.DataArray = xr.apply_ufunc(halve, edge, magnitude, length)
     return angle
