@@ -10,12 +10,11 @@ farthest point. The pose changes by less than `FACTOR` times S + D.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-import xarray as xr
 
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, Viscous
 from planar_pushing.mechanics.force.wrench import wrench
@@ -26,6 +25,8 @@ from planar_pushing.mechanics.scene import Scene
 if TYPE_CHECKING:
     from planar_pushing.simulation.pusher import Pusher
 
+#: A log of `simulate`, or arrays of its variables, by name.
+Log = Mapping[Any, Any]
 #: Largest change of a pose divided by its estimate S + D, with a margin: in random pushes of boxes the
 #: largest ratios were 3.6 for inertia, 6.7 for loads and 0.7 for viscous friction.
 FACTOR = 8.0
@@ -154,19 +155,20 @@ class Poses(NamedTuple):
         )
 
 
-def poses(log: xr.Dataset, rows: Any) -> Poses:
+def poses(log: Log, rows: Any) -> Poses:
     """The poses in rows of a log with an `object_pose`."""
-    x, y = log["object_position"].values[rows].T
-    return Poses(x + 1j * y, np.exp(1j * np.deg2rad(log["object_angle"].values[rows])))
+    x, y = np.asarray(log["object_position"])[rows].T
+    return Poses(x + 1j * y, np.exp(1j * np.deg2rad(np.asarray(log["object_angle"])[rows])))
 
 
-def pose_change(log: xr.Dataset, other: xr.Dataset, circles: Array) -> float:
+def pose_change(log: Log, other: Log, circles: Array) -> float:
     """Largest displacement between two runs of an object, over its outline and over the common instants.
 
     Parameters
     ----------
-    log, other : xarray.Dataset
-        Logs of `simulate`, with an `object_pose`; a displacement at a time is known if both have an entry.
+    log, other : xarray.Dataset or mapping
+        Logs of `simulate`, or their variables by name, with an `object_pose`; a displacement at a time is
+        known if both have an entry.
     circles : ndarray, shape (circles, 3)
         Those of `outline_circles`.
 
@@ -179,20 +181,20 @@ def pose_change(log: xr.Dataset, other: xr.Dataset, circles: Array) -> float:
     return float((poses(other, second) - poses(log, first)).reach(circles).max())
 
 
-def way_of(log: xr.Dataset, circles: Array) -> Array:
+def way_of(log: Log, circles: Array) -> Array:
     """Way of the farthest point of the outline in each interval of a log, shape (intervals,)."""
     places = poses(log, _first_entries(log))
     steps = Poses(np.diff(places.position), np.diff(places.turn))
     return steps.reach(circles)
 
 
-def stopping_length(log: xr.Dataset, scene: Scene, inertia: Inertia, circles: Array) -> float:
+def stopping_length(log: Log, scene: Scene, inertia: Inertia, circles: Array) -> float:
     """How far the slider would coast from the largest speed and spin of a run, on its friction.
 
     Parameters
     ----------
-    log : xarray.Dataset
-        Run without the inertia.
+    log : xarray.Dataset or mapping
+        Run without the inertia: a log of `simulate`, or its variables by name.
     scene : Scene
         The scene of the run, with friction.
     inertia : Inertia
@@ -217,7 +219,7 @@ def stopping_length(log: xr.Dataset, scene: Scene, inertia: Inertia, circles: Ar
 
 
 def friction_shares(
-    log: xr.Dataset, scene: Scene, effect: Effect, circles: Array, jumps: Sequence[float] = ()
+    log: Log, scene: Scene, effect: Effect, circles: Array, jumps: Sequence[float] = ()
 ) -> Shares:
     """Force and torque of an effect in the intervals of a run without it, as shares of those of friction.
 
@@ -241,7 +243,7 @@ def friction_shares(
 
 
 def estimate_pose_change(
-    log: xr.Dataset, scene: Scene, effect: Effect, circles: Array, jumps: Sequence[float] = ()
+    log: Log, scene: Scene, effect: Effect, circles: Array, jumps: Sequence[float] = ()
 ) -> Estimate:
     """Estimate what an effect changes that a run leaves out; parameters as in `friction_shares`.
 
@@ -302,18 +304,18 @@ def _wrenches(
     return _rotate(wrenches[:, :2].T, middles), wrenches[:, 2]
 
 
-def _first_entries(log: xr.Dataset) -> npt.NDArray[np.int64]:
+def _first_entries(log: Log) -> npt.NDArray[np.int64]:
     """Rows of the first entry of each instant; an event has two at its time."""
-    times = log["time"].values
+    times = np.asarray(log["time"])
     later = np.diff(times) > 1e-12 * times[-1]
     return np.flatnonzero(np.concatenate([[True], later]))
 
 
-def _motion(log: xr.Dataset) -> tuple[Array, Array, Array]:
+def _motion(log: Log) -> tuple[Array, Array, Array]:
     """Times, twists at the slider's center and angles of the body in radians, in the fence's axes."""
     rows = _first_entries(log)
-    angles = np.deg2rad(log["rod_angle"].values[rows])
-    return log["time"].values[rows], log["twist"].values[rows], angles
+    times, twists, angles = (np.asarray(log[name])[rows] for name in ("time", "twist", "rod_angle"))
+    return times, twists, np.deg2rad(angles)
 
 
 def _rotate(vector: Any, angle: Array) -> Array:

@@ -22,9 +22,10 @@ from planar_pushing.mechanics.effects.support_friction import weight
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Disc, Points, Polygon, Ring
 from planar_pushing.objects.scene_at import scene_at
-from planar_pushing.simulation.early_end import quietly
+from planar_pushing.simulation.fields import FIELDS, Arrays, arrays
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.simulate import simulate
+from planar_pushing.simulation.runs import Run
 from pulling_by_pushing.study.datasets.model_errors import GRAVITY
 from pulling_by_pushing.study.model import ModelEstimates
 
@@ -41,6 +42,8 @@ EFFECTS = ("inertia", "viscous", "load")
 SAMPLES = 201
 #: Significant digits of random numbers, so that they are the same on each machine.
 DIGITS = 4
+#: Variables of a log that are read; a whole log would take as long as its run.
+READ = {"time", "rod_angle", "twist", "object_position", "object_angle"}
 #: Duration of a run after the pusher has stopped, as a part of the time in which the box comes to rest.
 REST = 1.6
 
@@ -114,33 +117,34 @@ def model_estimates(part: ModelEstimates) -> xr.Dataset:
     )
 
 
-def effects_of(push: Push) -> Mapping[str, Effect]:
-    """Friction on the support, and the effects beside it; the mass is uniform."""
+def effects_of(push: Push) -> tuple[Effect, ...]:
+    """Friction on the support, and the effects beside it, as in `EFFECTS`; the mass is uniform."""
     sides = push.length, push.width
     support = SUPPORTS[push.support](*sides)
     force = float(weight(push.mass, push.support_friction_coefficient, GRAVITY))
     angle, load = math.radians(push.load_angle), push.load_share * force
     gyration = math.hypot(*sides) / math.sqrt(12.0)
-    return {
-        "friction": SupportFriction(support=support, weight=force),
-        "inertia": Inertia(mass=push.mass, gyration_radius=gyration),
-        "viscous": Viscous(support=support, coefficient=push.viscous_share * force / push.speed),
-        "load": Load(force=(load * math.cos(angle), load * math.sin(angle)), center=(0.0, 0.0)),
-    }
+    return (
+        SupportFriction(support=support, weight=force),
+        Inertia(mass=push.mass, gyration_radius=gyration),
+        Viscous(support=support, coefficient=push.viscous_share * force / push.speed),
+        Load(force=(load * math.cos(angle), load * math.sin(angle)), center=(0.0, 0.0)),
+    )
 
 
-def scene_of(push: Push, *names: str) -> Scene:
-    """The box at its contact under friction and some of the other effects."""
-    effects = effects_of(push)
-    listed = tuple(effects[name] for name in ("friction", *names))
+def scenes_of(push: Push) -> list[Scene]:
+    """The box at its contact under friction alone, and with each of the other effects."""
+    friction, *others = effects_of(push)
     x, y, normal = push.place * push.length / 2.0, -push.width / 2.0, None
     if push.is_at_corner:
         turn = math.radians(90.0 * push.place)
         x, normal = -push.length / 2.0, (math.cos(turn), math.sin(turn))
-    return scene_at(
-        (x, y), normal, effects=listed, contact=Coulomb(push.friction_coefficient),
-        outline=Polygon.rectangle(push.length, push.width),
-    )  # fmt: skip
+    outline = Polygon.rectangle(push.length, push.width)
+    contact = Coulomb(push.friction_coefficient)
+    return [
+        scene_at((x, y), normal, effects=effects, contact=contact, outline=outline)
+        for effects in [(friction,), *((friction, other) for other in others)]
+    ]
 
 
 def motion_of(push: Push) -> tuple[Pusher, float]:
@@ -158,7 +162,7 @@ def motion_of(push: Push) -> tuple[Pusher, float]:
 def _compare(push: Push) -> list[tuple[float, ...]]:
     """For each effect the error without it, and its estimate, stopping length and shares of friction."""
     pusher, duration = motion_of(push)
-    friction, *others = scene_of(push), *(scene_of(push, name) for name in EFFECTS)
+    friction, *others = scenes_of(push)
     log, *logs = (_log(scene, pusher, duration) for scene in (friction, *others))
     circles, jumps = outline_circles(friction), jump_times(pusher)
     rows: list[tuple[float, ...]] = []
@@ -169,7 +173,8 @@ def _compare(push: Push) -> list[tuple[float, ...]]:
     return rows
 
 
-def _log(scene: Scene, pusher: Pusher, duration: float) -> xr.Dataset:
-    """Log of a run with the pose of the box, which is the world's at the start."""
-    pose = (0.0, 0.0, 0.0)
-    return quietly(simulate)(scene, pusher, duration=duration, samples=SAMPLES, object_pose=pose)
+def _log(scene: Scene, pusher: Pusher, duration: float) -> Arrays:
+    """What is read of the log of `simulate`; the pose of the box is the world's at the start."""
+    problem = Problem(scene=scene, pusher=pusher, duration=duration, object_pose=(0.0, 0.0, 0.0))
+    rows = np.concatenate(list(Run(problem, np.linspace(0.0, duration, SAMPLES))))
+    return arrays(rows, problem, [field for field in FIELDS if field.name in READ])
