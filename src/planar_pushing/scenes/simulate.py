@@ -9,7 +9,6 @@ import xarray as xr
 
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.objects.several.simulate_contacts import simulate_contacts
 from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.scenes.simulate_model import SimulateEntry
@@ -57,6 +56,9 @@ def simulate_contacts_file(file: ContactsFile, path: PathLike | None = None) -> 
             "simulate", None, "a section of the scene file",
             "add it to the file, as in simulate: {pushers: [{angle: 90}], duration: 1}",
         )  # fmt: skip
+    # Several contacts import scipy.integrate, which takes longer than most simulations.
+    from planar_pushing.objects.several.simulate_contacts import simulate_contacts
+
     log = quietly(simulate_contacts)(**file.arguments(file.simulate))
     log = log.assign_attrs(scene=to_json(file.model_dump(exclude_none=True)))
     if path is not None:
