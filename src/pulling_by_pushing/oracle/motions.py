@@ -266,8 +266,8 @@ def guess_ray(body: Body, e: Vector) -> Row:
         def slope(wrench: Wrench) -> tuple[arb, arb]:
             return dot(across, wrench.value[:2]).mid(), wrench.value[2].mid()
 
+        wrench = body.wrench(motion_at(unknowns))
         for _ in range(GUESS_STEPS):
-            wrench = body.wrench(motion_at(unknowns))
             g, j = slope(wrench), wrench.jacobian
             rows = [dot(across, (j[0][k], j[1][k])) for k in range(3)]
             a, b, d = dot(across, rows[:2]).mid(), rows[2].mid(), j[2][2].mid()
@@ -284,7 +284,8 @@ def guess_ray(body: Body, e: Vector) -> Row:
             for _ in range(GUESS_STEPS):
                 trial = [(x + part * s).mid() for x, s in zip(unknowns, step, strict=True)]
                 try:
-                    if dot(slope(body.wrench(motion_at(trial))), step) <= fall * arb(0.9):
+                    wrench = body.wrench(motion_at(trial))
+                    if dot(slope(wrench), step) <= fall * arb(0.9):
                         break
                 except Undecided:
                     pass
