@@ -35,6 +35,24 @@ def made_up(tmp_path_factory):
     return folder, compiled(folder)
 
 
+#: A core that takes little time to compile.
+CONSTANT = {"one": "NUMBER = 1.0\n"}
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    """The compiled library of a core of one number."""
+    if not shutil.which("cc"):
+        pytest.skip("no C compiler")
+    return hook.build(write(tmp_path_factory.mktemp("constant") / "core", CONSTANT))
+
+
+@pytest.fixture
+def compiled_before(library, monkeypatch):
+    """Let a build take that library, and not compile it once more."""
+    monkeypatch.setattr(hook.compiler, "compile_library", lambda *_: library)
+
+
 def rows():
     degenerate = [(x, y, k) for x, y in itertools.product(NUMBERS, NUMBERS) for k in (0, 1, 2)]
     random = np.random.default_rng(1).normal(size=(500, 3)) * [1.0, 3.0, 0.0] + [0.0, 0.0, 1.0]
@@ -167,13 +185,14 @@ print(float("5e-324") * 2.0, module.probe(*eval(sys.argv[2], {"nan": float("nan"
 """
 
 
-@pytest.mark.parametrize("option", [*OPTION_CASES, "CFLAGS", "LDFLAGS"])
+@pytest.mark.parametrize("option", [*OPTION_CASES, "CFLAGS and LDFLAGS"])
 def test_options_of_the_compiler_change_no_results(made_up, tmp_path, monkeypatch, capsys, option):
     if option in OPTIONS:
         monkeypatch.setenv("CC", f"cc {option}")
     else:
-        monkeypatch.setenv(option, "-ffast-math")
-    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+        for name in option.split(" and "):
+            monkeypatch.setenv(name, "-ffast-math")
+    folder = write(tmp_path / "core", CONSTANT)
     target = hook.build(folder)
     if not OPTIONS.get(option, True):
         assert target is None
@@ -192,7 +211,7 @@ def test_options_of_the_compiler_change_no_results(made_up, tmp_path, monkeypatc
 def test_a_library_with_other_results_is_refused(made_up, tmp_path, monkeypatch, capsys, option):
     """As if the options of the build undid nothing, and did not set a level of optimization either."""
     monkeypatch.setattr(hook.compiler, "FLAGS", "-fPIC -w -O2 " + option)
-    assert hook.build(write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})) is None
+    assert hook.build(write(tmp_path / "core", CONSTANT)) is None
     output = capsys.readouterr().err
     assert re.fullmatch(
         r"planar-pushing: compiled, the core does not have the results of its source; "
@@ -215,26 +234,26 @@ def test_the_known_results_are_those_of_python(made_up):
         assert keeps_bits(lambda *_, changed=changed: changed) is False, place
 
 
-def test_what_is_compiled_is_not_compiled_again_but_after_a_change(tmp_path, monkeypatch):
-    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
-    target = hook.build(folder)
+def test_what_is_compiled_is_not_compiled_again_but_after_a_change(library, tmp_path, monkeypatch):
+    folder = write(tmp_path / "core", CONSTANT)
+    target = Path(shutil.copy(library, folder))
     before = target.stat()
     monkeypatch.setattr(hook.compiler, "run", None)
     assert hook.build(folder) == target
     assert target.stat().st_ino == before.st_ino
     for change in [
-        lambda: (folder / "one.py").write_text("NUMBER = 2.0\n", encoding="utf-8"),
-        lambda: monkeypatch.setattr(hook.compiler, "FLAGS", "-O1"),
-        lambda: monkeypatch.setattr(hook.module, "TAIL", hook.module.TAIL + "\n"),
-        lambda: monkeypatch.setattr(hook.compiler, "cython_version", lambda: "0"),
-        lambda: monkeypatch.setattr(hook.compiler, "compiler_version", lambda *_: "0"),
-        lambda: monkeypatch.setenv("CC", "cc -pipe"),
+        lambda _: (folder / "one.py").write_text("NUMBER = 2.0\n", encoding="utf-8"),
+        lambda patch: patch.setattr(hook.compiler, "FLAGS", "-O1"),
+        lambda patch: patch.setattr(hook.module, "TAIL", hook.module.TAIL + "\n"),
+        lambda patch: patch.setattr(hook.compiler, "cython_version", lambda: "0"),
+        lambda patch: patch.setattr(hook.compiler, "compiler_version", lambda *_: "0"),
+        lambda patch: patch.setenv("CC", "cc -pipe"),
     ]:
-        with monkeypatch.context():
-            change()
+        with monkeypatch.context() as patch:
+            change(patch)
             with pytest.raises(TypeError, match="not callable"):
                 hook.build(folder)
-        write(folder, {"one": "NUMBER = 1.0\n"})
+        write(folder, CONSTANT)
     assert [path.name for path in folder.iterdir() if path.suffix != ".py"] == [target.name]
 
 
@@ -249,7 +268,7 @@ def test_what_is_compiled_is_not_compiled_again_but_after_a_change(tmp_path, mon
 def test_without_a_tool_the_old_file_goes_and_one_line_says_so(
     tmp_path, monkeypatch, capsys, lacking, reason
 ):
-    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    folder = write(tmp_path / "core", CONSTANT)
     old = folder / hook.TARGET
     old.write_bytes(b"old")
     match lacking:
@@ -277,7 +296,7 @@ def test_without_a_tool_the_old_file_goes_and_one_line_says_so(
 
 
 def test_a_missing_compiler_is_an_error_if_the_environment_says_so(tmp_path, monkeypatch, capsys):
-    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    folder = write(tmp_path / "core", CONSTANT)
     monkeypatch.setenv("CC", "/nonexistent")
     monkeypatch.setenv("PLANAR_PUSHING_COMPILED", "0")
     assert hook.build(folder) is None
@@ -291,8 +310,9 @@ def test_a_missing_compiler_is_an_error_if_the_environment_says_so(tmp_path, mon
         hook.build_or_exit()
 
 
+@pytest.mark.usefixtures("compiled_before")
 def test_a_folder_that_cannot_be_written_is_said_in_one_line(tmp_path, monkeypatch, capsys):
-    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    folder = write(tmp_path / "core", CONSTANT)
 
     def refused(source, copy):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(copy))
@@ -303,23 +323,25 @@ def test_a_folder_that_cannot_be_written_is_said_in_one_line(tmp_path, monkeypat
     assert capsys.readouterr().err == expected
 
 
+@pytest.mark.usefixtures("compiled_before")
 def test_another_folder_takes_the_new_library_and_the_sources_keep_theirs(tmp_path, monkeypatch):
-    folder = write(tmp_path / "a core", {"one": "NUMBER = 1.0\n"})
+    folder = write(tmp_path / "a core", CONSTANT)
     (folder / hook.TARGET).write_bytes(b"old")
     (tmp_path / "new").mkdir()
     target = hook.build(folder, tmp_path / "new")
     assert target == tmp_path / "new" / hook.TARGET
     assert (folder / hook.TARGET).read_bytes() == b"old"
-    monkeypatch.setenv("CC", "/nonexistent")
-    assert hook.build(folder, tmp_path / "new") is None
+    with monkeypatch.context() as changed:
+        changed.setenv("CC", "/nonexistent")
+        assert hook.build(folder, tmp_path / "new") is None
     assert (folder / hook.TARGET).read_bytes() == b"old"
-    monkeypatch.undo()
     shutil.copy(target, folder)
     assert hook.build(folder, tmp_path / "new") == folder / hook.TARGET
 
 
+@pytest.mark.usefixtures("compiled_before")
 def test_a_build_that_fails_leaves_nothing_half_written(tmp_path, monkeypatch):
-    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    folder = write(tmp_path / "core", CONSTANT)
     target = hook.build(folder)
     before = target.read_bytes()
     (folder / "one.py").write_text("NUMBER = 2.0\n", encoding="utf-8")
@@ -335,8 +357,9 @@ def test_a_build_that_fails_leaves_nothing_half_written(tmp_path, monkeypatch):
     assert {path.suffix for path in folder.iterdir()} == {".py", ".so"}
 
 
+@pytest.mark.usefixtures("compiled_before")
 def test_what_killed_builds_have_left_is_removed_and_that_of_a_running_one_stays(tmp_path):
-    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    folder = write(tmp_path / "core", CONSTANT)
     ended = subprocess.Popen([sys.executable, "-c", ""])
     ended.wait()
     running = folder / f".{hook.TARGET}.{os.getppid()}"
@@ -363,17 +386,21 @@ print(kernels.run("answer", np.arange(6), [[0.5, 2, 1], [1, 1, 2]], 29).tobytes(
 
 
 @pytest.fixture(scope="module")
-def package(tmp_path_factory):
-    """A copy of the package with the made-up core, compiled."""
-    if not shutil.which("cc"):
-        pytest.skip("no C compiler")
+def package(made_up, tmp_path_factory):
+    """A copy of the package with the made-up core and its library, which has the same sources."""
     source = tmp_path_factory.mktemp("package") / "planar_pushing"
     skip = shutil.ignore_patterns("__pycache__", "_compiled.*", "apex.py", "middle.py", "zenith.py")
     shutil.copytree(PROJECT / "src/planar_pushing", source, ignore=skip)
     for path in source.glob("core/[!_]*"):
         shutil.rmtree(path) if path.is_dir() else path.unlink()
-    hook.build(write(source / "core"))
+    shutil.copy(made_up[0] / hook.TARGET, write(source / "core"))
     return source
+
+
+@pytest.fixture(scope="module")
+def native(package):
+    """What the package says with the compiled core."""
+    return ask(package)
 
 
 def ask(package, **variables):
@@ -386,17 +413,17 @@ def ask(package, **variables):
     return warned, plain, results
 
 
-def test_the_package_runs_the_compiled_core_without_loading_its_source(package):
-    warned, loaded, results = ask(package)
+def test_the_package_runs_the_compiled_core_without_loading_its_source(native):
+    warned, loaded, results = native
     assert (warned, loaded) == ("[]", "False True")
     last = np.frombuffer(bytes.fromhex(results)).reshape(2, 29)[:, 28]
     assert np.isnan(last).all()  # the kernel writes 28 numbers
 
 
-def test_the_variable_for_the_plain_source_gives_no_warning_and_the_same_answers(package):
+def test_the_variable_for_the_plain_source_gives_no_warning_and_the_same_answers(package, native):
     warned, loaded, results = ask(package, PLANAR_PUSHING_PLAIN="1")
     assert (warned, loaded) == ("[]", "False False")
-    assert results == ask(package)[2] == ask(package, PLANAR_PUSHING_PLAIN="0")[2]
+    assert results == native[2] == ask(package, PLANAR_PUSHING_PLAIN="0")[2]
 
 
 @pytest.mark.parametrize(("damage", "reason"), [
@@ -407,7 +434,7 @@ def test_the_variable_for_the_plain_source_gives_no_warning_and_the_same_answers
     ("round", "compiled, it rounds in another way, or drops subnormal numbers; compile it without .*"),
 ])  # fmt: skip
 def test_what_is_out_of_date_or_missing_is_not_used_and_one_warning_says_so(
-    package, tmp_path, damage, reason
+    package, native, tmp_path, damage, reason
 ):
     copy = tmp_path / "planar_pushing"
     shutil.copytree(package, copy)
@@ -430,7 +457,7 @@ def test_what_is_out_of_date_or_missing_is_not_used_and_one_warning_says_so(
     warned, _, results = ask(copy)
     expected = rf"""\[["']PlainCoreWarning: {PLAIN}, as {reason} \(in a clone: make\)["']\]"""
     assert re.fullmatch(expected, warned)
-    assert (results == ask(package)[2]) is (damage != "edit")
+    assert (results == native[2]) is (damage != "edit")
     assert ask(copy, PLANAR_PUSHING_PLAIN="1")[0] == "[]"
 
 
