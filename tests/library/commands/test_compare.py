@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 import xarray as xr
+from commands.calls import called_once
 
 import planar_pushing as pp
 from planar_pushing.commands import compare as command
@@ -14,6 +15,8 @@ from pulling_by_pushing.study.store import read_dataset
 SQUARE = [(-50.0, -50.0), (50.0, -50.0), (50.0, 50.0), (-50.0, 50.0)]
 FEET = pp.Points([(-40, -40), (40, -40), (0, 40)], [1, 1, 2])
 FAST = [name for name in MODELS if name != "identified"]
+#: Options of the command, but for the models.
+OPTIONS = {"splits": 1, "workers": 1, "seed": 2, "progress": False}
 
 
 @pytest.fixture(scope="module")
@@ -41,15 +44,24 @@ def files(pushes, tmp_path_factory):
     return folder
 
 
-@pytest.fixture(scope="module")
-def known(pushes):
-    """With the support that is identified, which takes most of the time."""
-    return pp.compare(pushes[0], seed=2)
+@pytest.fixture(scope="module", autouse=True)
+def compare():
+    """As the commands call it: once for the same pushes, models and options."""
+    once = called_once(pp.compare)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("planar_pushing.pushes.compare.compare", once)
+        yield once
 
 
 @pytest.fixture(scope="module")
-def found(known):
-    return known.sel(model=FAST)
+def known(files, compare):
+    """With the support that is identified."""
+    return compare(pp.load_pushes(files / "tripod.nc"), list(MODELS), **OPTIONS)
+
+
+@pytest.fixture(scope="module")
+def found(files, compare):
+    return compare(pp.load_pushes(files / "tripod.nc"), FAST, **OPTIONS)
 
 
 def tables(out):
@@ -108,13 +120,13 @@ def test_a_support_is_identified_where_that_is_asked_for(run, files, known):
 
 
 def test_several_splits_are_means_with_wider_intervals(run, files, tmp_path, monkeypatch):
-    """The numbers that are printed are those of `compare` for these splits."""
+    """The numbers that are printed are those of `compare` for these splits, here of few models."""
     scores = []
 
     def recorded(pushes, models, **options):
         assert pushes.identical(pp.load_pushes(files / "many.nc"))
         assert (models, options["splits"]) == (FAST, 2)
-        scores.append(pp.compare(pushes, models, **options))
+        scores.append(pp.compare(pushes, ["known_feet"], **options))
         return scores[-1]
 
     monkeypatch.setattr("planar_pushing.pushes.compare.compare", recorded)

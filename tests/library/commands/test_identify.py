@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from commands.calls import called_once
 from ruamel.yaml import YAML
 
 import planar_pushing as pp
@@ -41,8 +42,17 @@ def files(pushes, tmp_path_factory):
     return folder
 
 
+@pytest.fixture(scope="module", autouse=True)
+def identify():
+    """As the commands call it: once for the same pushes and options."""
+    once = called_once(pp.identify)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("planar_pushing.pushes.identify.identify", once)
+        yield once
+
+
 @pytest.fixture(scope="module")
-def printed(files):
+def printed(files, identify):
     """What the command prints as it writes scene files.
 
     With forces, on any points, and without, on a uniform pressure and corners.
@@ -62,8 +72,9 @@ def supports(files, printed):
 
 
 @pytest.fixture(scope="module")
-def found(pushes):
-    return pp.identify(pushes, seed=3)
+def found(files, identify):
+    pushes = pp.load_pushes(files / "forces.nc")
+    return identify(pushes, spacing=None, family="points", seed=3, progress=False)
 
 
 def content(path):
