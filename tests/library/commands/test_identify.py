@@ -36,7 +36,7 @@ def files(pushes, tmp_path_factory):
     folder = tmp_path_factory.mktemp("pushes")
     other = pushes.assign_coords(object=["other"]).assign(pushed=("push", ["other"] * 8))
     pp.save_pushes(pushes, folder / "forces.nc")
-    few = pushes.drop_vars("force").isel(push=slice(4))
+    few = pushes.drop_vars("force").isel(push=slice(3))
     pp.save_pushes(few, folder / "poses.nc")
     pp.save_pushes(pp.concat_pushes([pushes, other]), folder / "two.nc")
     return folder

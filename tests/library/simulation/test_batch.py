@@ -6,6 +6,7 @@ import signal
 import threading
 import time
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -131,14 +132,19 @@ ALONG_WORLD = [(0, (np.array([0.1, -1.0, 0.6]), np.array([1.0, 0.2, -0.8]))), (0
 ALONG_FENCE = [(0, (0.3, 1.0)), (0.3, (-0.2, 0.5))]
 
 
-def in_poses(name, shape, massive, motion):
-    """Objects in poses of their own, or all in one, which a pusher pushes along their own axes."""
+@cache
+def touched(name, massive):
+    """An object at its contact."""
     outline, point, normal, support = OBJECTS[name]
     mass = (pp.Inertia(mass=1.0, gyration_radius=0.6),) if massive else ()
-    pushed = pp.scene_at(
+    return pp.scene_at(
         point, normal, effects=(pp.SupportFriction(support=support), *mass),
         contact=pp.Coulomb(0.3), outline=outline,
     )  # fmt: skip
+
+
+def in_poses(name, shape, massive, motion):
+    """Objects in poses of their own, or all in one, which a pusher pushes along their own axes."""
     frame, velocity = motion
     for i in (slice(None), 0, 1, 2):
         pieces = velocity
@@ -147,7 +153,11 @@ def in_poses(name, shape, massive, motion):
         pusher = pp.Pusher(
             velocity=pieces, shape=shape, frame=frame, radius=0.1 * (shape == "finger")
         )
-        yield {"scene": pushed, "pusher": pusher, "object_pose": tuple(x[i] for x in POSES)}
+        yield {
+            "scene": touched(name, massive),
+            "pusher": pusher,
+            "object_pose": tuple(x[i] for x in POSES),
+        }
 
 
 MOTIONS = {

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 import warnings
 
 import numpy as np
@@ -11,6 +9,7 @@ import pytest
 from simulation.scenes import BOX, FINGER_MEETS, HEAVY, NO_EDGE, NOTCHED, STOPS, box, scene
 
 import planar_pushing as pp
+from command_line import run as run
 from planar_pushing.simulation.early_end import REASONS, quietly
 from planar_pushing.simulation.fields import Stop
 
@@ -109,14 +108,15 @@ def test_every_reason_has_a_remedy_of_its_text():
     assert len({reason.text for reason in REASONS.values()}) == len(REASONS)
 
 
-def test_the_command_writes_one_line_and_succeeds(tmp_path):
+@pytest.mark.filterwarnings("always::planar_pushing.EarlyEndWarning")
+def test_the_command_writes_one_line_and_succeeds(run, tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text(SCENE_FILE)
     words = ["simulate", str(path), "-o", str(tmp_path / "log.nc"), "--no-progress"]
-    command = [sys.executable, "-m", "planar_pushing", *words]
-    ended = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert ended.stderr.count("\n") == 1
-    assert ended.stderr.startswith(
+    code, out, err = run(*words)
+    assert code == 0
+    assert err.count("\n") == 1
+    assert err.startswith(
         "planar-pushing simulate: EarlyEndWarning: the run ended at time 0.928833 s of 8 s: "
     )
-    assert "stopped at t = 0.928833 s" in ended.stdout
+    assert "stopped at t = 0.928833 s" in out

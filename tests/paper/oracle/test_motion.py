@@ -20,12 +20,17 @@ ALLOWED = {"rod_angle": 2e-9, "force": 1e-9, "spin_ratio": 1e-9, "time": 5e-9}
 OTHERS = 2e-10
 
 
+@cache
+def scene_file(name):
+    return load_scene_file(f"workflow/scenes/{name}.yaml")
+
+
 def changed(name, samples=17, **parts):
     """A shipped scene with other values in some of its parts, and few stored instants.
 
     By default they are at the ends of the longest steps of the oracle, so that they cut none of these.
     """
-    content = load_scene_file(f"workflow/scenes/{name}.yaml").model_dump()
+    content = scene_file(name).model_dump()
     for part, values in parts.items():
         content[part] = {**content[part], **values} if isinstance(values, dict) else values
     if content["simulate"] is not None:
@@ -110,8 +115,10 @@ SCENES = {
 }  # fmt: skip
 
 
-#: Others pull, pivot and move with inertia, too.
-LONG = ("mass aside that comes to rest", "pulling", "pulling_with_inertia", "rest", "tripod")
+#: Others pull, pivot and move with inertia, or in such units, too.
+LONG = (
+    "mass aside that comes to rest", "other units", "pulling", "pulling_with_inertia", "rest", "tripod"
+)  # fmt: skip
 
 
 @pytest.fixture(
@@ -190,11 +197,11 @@ def test_two_runs_that_differ_are_refused(monkeypatch):
 
 @pytest.mark.parametrize("radius", [0.7, 0.7 + 1e-8])
 def test_another_radius_is_noticed(radius):
-    other = SCENES["other units"].model_dump()
+    other = SCENES["met again"].model_dump()
     other["slider"]["radius"] = radius
-    time = log("other units").time.values[2]
+    time = log("met again").time.values[2]
     angle = log_values(other, [0.0, time])["rod_angle"][1][1]
-    reference = values("other units")["rod_angle"][1][2]
+    reference = values("met again")["rod_angle"][1][2]
     assert angle.overlaps(reference) == (radius == 0.7)
 
 
@@ -226,7 +233,7 @@ POLICIES = [{"time": 0.0, "policy": "separate"}]
 )
 def test_another_scene_is_refused(scene, times, reason):
     name, parts = scene
-    content = load_scene_file(f"workflow/scenes/{name}.yaml").model_dump()
+    content = scene_file(name).model_dump()
     for part, values in parts.items():
         whole = not isinstance(values, dict) or part == "contact"
         content[part] = values if whole else {**content[part], **values}
