@@ -197,20 +197,27 @@ def test_noisy_pushes_of_three_feet():
     assert (fitted_quartic(train)[0].tensor == model.tensor).all()
 
 
-@pytest.mark.parametrize("unit", [1e-3, 1.0, 25.4])
-def test_units_and_the_frame_do_not_matter(unit):
+@pytest.fixture(scope="module")
+def fitted():
+    """Pushes, and what a quartic that is fitted to them says of their motions."""
     pushes = pushed(30)
+    return pushes, motions_of(pushes)
+
+
+def motions_of(pushes):
+    return fitted_quartic(pushes)[0].motions(pushes.wrenches) * [1, 1, pushes.length]
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 25.4])
+def test_units_and_the_frame_do_not_matter(fitted, unit):
+    pushes, motions = fitted
     scaled = replace(
         pushes, outline=pp.Outline(unit * np.array(TRIANGLE)), contact=unit * pushes.contact,
         finger=unit * pushes.finger,
         displacement=unit * pushes.displacement, radius=unit * pushes.radius, path=unit * pushes.path,
         noise=(unit * pushes.noise[0], *pushes.noise[1:]), force=4.448 * pushes.force,
     )  # fmt: skip
-    one, other = (
-        fitted_quartic(each)[0].motions(each.wrenches) * [1, 1, each.length]
-        for each in (pushes, scaled)
-    )
-    assert angles(one, other).max() < 1e-3
+    assert angles(motions, motions_of(scaled)).max() < 1e-3
 
 
 def test_too_few_pushes_and_pushes_without_forces_have_no_quartic():
