@@ -33,9 +33,9 @@ def noisy():
     return pushed(60, seed=7)
 
 
-@pytest.fixture(scope="module", params=[40, pytest.param(60, marks=pytest.mark.slow)])
-def found(request, noisy):
-    return pp.identify(noisy, resamples=request.param)
+@pytest.fixture(scope="module")
+def found(noisy):
+    return pp.identify(noisy, resamples=60)
 
 
 def test_exact_pushes_tell_the_feet():
