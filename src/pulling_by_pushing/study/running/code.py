@@ -145,26 +145,33 @@ def _read(file: Path) -> Facts:
     content = file.read_bytes()
     if file.suffix != ".py":
         return {"digest": hashlib.sha256(content).hexdigest(), "imports": []}
-    tree = _Plain().visit(ast.parse(content))
+    tree = ast.parse(content)
+    statements = list(_plain_statements(tree))
     digest = hashlib.sha256(ast.dump(tree).encode()).hexdigest()
-    return {"digest": digest, "imports": sorted(set(_imports(tree)))}
+    return {"digest": digest, "imports": sorted(set(_imports(statements)))}
 
 
-class _Plain(ast.NodeTransformer):
-    """Removes docstrings, and imports that serve only the types."""
+def _plain_statements(node: ast.AST) -> Iterator[ast.AST]:
+    """Remove docstrings and imports that serve only the types from a tree; yield the other statements."""
+    for name in ("body", "handlers", "orelse", "finalbody", "cases"):
+        block = getattr(node, name, None)
+        if isinstance(block, list):
+            block[:] = [statement for statement in block if not _is_for_readers(statement)]
+            for statement in block:
+                yield statement
+                yield from _plain_statements(statement)
 
-    def visit_Expr(self, node: ast.Expr) -> ast.Expr | None:
-        return None if isinstance(node.value, ast.Constant) else node
 
-    def visit_If(self, node: ast.If) -> Any:
-        if isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
-            return None
-        return self.generic_visit(node)
+def _is_for_readers(node: ast.AST) -> bool:
+    """Whether a statement is a docstring, or a condition that holds only for a checker of types."""
+    if isinstance(node, ast.If):
+        return isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
 
 
-def _imports(tree: ast.AST) -> Iterator[str]:
-    """Modules of this project that a module imports, at its top or in a function."""
-    for node in ast.walk(tree):
+def _imports(statements: Iterable[ast.AST]) -> Iterator[str]:
+    """Modules of this project that statements import, at the top of a module or in a function."""
+    for node in statements:
         if isinstance(node, ast.Import):
             yield from filter(_is_ours, (alias.name for alias in node.names))
         elif isinstance(node, ast.ImportFrom) and node.module and _is_ours(node.module):
