@@ -34,14 +34,14 @@ endif
 .PHONY: all test test-all test-processors test-slurm test-drags mutants lint coverage bench golden images front pages dictionary lock report jobs-report manual clean help
 .DELETE_ON_ERROR:
 
-# One make at a time. The operating system releases the lock when its process ends, even if it is killed. A command
-# that takes long replaces the shell, so that a signal sent to make, which passes it on, reaches the command.
+# One make at a time. The operating system releases the lock when its process ends, even if it is killed.
+# Snakemake replaces the shell, so that a SIGTERM sent to make, which passes it on, lets it end after its running jobs.
 LOCK := exec 9>>.making; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX | fcntl.LOCK_NB)' 2>/dev/null || { \
 	echo "Another make is running in this folder; waiting for it"; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
 
 all: $(CORE)
 	@$(LOCK); exec $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY))
-	@$(BIN)/python -m pulling_by_pushing.report.closing $(STUDY)
+	@$(LOCK); $(BIN)/python -m pulling_by_pushing.report.closing $(STUDY)
 
 # An environment is valid only for its folder and the locked packages.
 STATE := $(CURDIR) $(shell cat requirements.lock pyproject.toml | cksum)
@@ -71,7 +71,7 @@ test-all: $(CORE) ## run the slow tests: workflow, manual, processors, failures,
 	$(BIN)/pytest -m alone
 	$(PROCESSORS)
 
-PROCESSORS = @$(LOCK); exec $(BIN)/python -m pulling_by_pushing.evidence.golden.processors
+PROCESSORS = @$(LOCK); $(BIN)/python -m pulling_by_pushing.evidence.golden.processors
 test-processors: $(CORE) ## build and check the golden data as on older processors, and with all features of this one
 	$(PROCESSORS)
 

@@ -152,8 +152,8 @@ rule data:
 
 
 # Figures of a study, of what accuracy costs, and of measured pushes: each is drawn from the datasets that its module
-# in `pulling_by_pushing.figures` names, cut at the values that the study gives. One job draws those of a section, and
-# another simulations that no figure shows.
+# in `pulling_by_pushing.figures` names, cut at the values that the study gives. One job draws those of a section;
+# that of motion also draws the simulations that no figure shows.
 for folder, section, names, simulations in figure_jobs():
     drawings = [*names, *(f"simulation_{name}" for name in simulations)]
 
@@ -184,7 +184,7 @@ for folder, section, names, simulations in figure_jobs():
                 "figures.render:draw_figures",
                 *(f"figures.{figures.module_name(name)}" for name in names),
             ),
-            values={"results": folder},
+            values={"results": folder},  # by itself, the lint takes it for a prefix of files
             figures={name: cuts(STUDIES[folder], name) for name in names},
             simulations=simulations,
             captions=figure_captions(names),

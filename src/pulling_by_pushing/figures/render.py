@@ -41,27 +41,28 @@ def draw_figures(
         determines the format.
     """
     drawings = _drawings(results, figures, simulations)
-    for (name, draw, size), *pictures in zip(drawings, *paths.values(), strict=True):
-        LOGGER.info("drawing %s", name)
+    for (draw, size), *pictures in zip(drawings, *paths.values(), strict=True):
         save_drawn(draw, size, pictures)
 
 
 def _drawings(
     results: PathLike, figures: Mapping[str, Cuts], simulations: Sequence[str]
-) -> Iterator[tuple[str, Callable[[Figure], object], tuple[float, float]]]:
-    """Name of each picture, the function that draws it, and its size in inches."""
+) -> Iterator[tuple[Callable[[Figure], object], tuple[float, float]]]:
+    """The function that draws each picture, and the size of the picture in inches."""
     from pulling_by_pushing.study.store import open_dataset
 
     read: Callable[..., Any] = cache(open_dataset)  # figures of one section share datasets
     for name, cuts in figures.items():
+        LOGGER.info("drawing %s", name)
         figure_drawing = drawing(name)
         data = view(name, results, cuts, read)
-        yield name, partial(_draw_view, figure_drawing, data), figure_drawing.figure.size
+        yield partial(_draw_view, figure_drawing, data), figure_drawing.figure.size
     if simulations:
         from planar_pushing.drawing.draw import LOG, plot_log
 
         for name in simulations:
-            yield name, partial(plot_log, read(f"simulations/{name}", results)), LOG
+            LOGGER.info("drawing simulation_%s", name)
+            yield partial(plot_log, read(f"simulations/{name}", results)), LOG
 
 
 def _draw_view(figure_drawing: Drawing, data: Any, figure: Figure) -> None:

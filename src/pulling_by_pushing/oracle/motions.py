@@ -290,6 +290,8 @@ def guess_ray(body: Body, e: Vector) -> Row:
                 except Undecided:
                     pass
                 part = (part * arb(0.4)).mid()
+            else:
+                wrench = body.wrench(motion_at(trial))  # may be undecided
             unknowns = trial
         return motion_at(unknowns)
 

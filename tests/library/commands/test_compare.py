@@ -1,5 +1,6 @@
 """The command `compare`: its tables, its dataset, and wrong input."""
 
+import inspect
 import json
 
 import numpy as np
@@ -14,9 +15,9 @@ from pulling_by_pushing.study.store import read_dataset
 
 SQUARE = [(-50.0, -50.0), (50.0, -50.0), (50.0, 50.0), (-50.0, 50.0)]
 FEET = pp.Points([(-40, -40), (40, -40), (0, 40)], [1, 1, 2])
-FAST = [name for name in MODELS if name != "identified"]
-#: Options of the command, but for the models.
+#: Options that the command passes on by default, and the seed of the tests.
 OPTIONS = {"splits": 1, "workers": 1, "seed": 2, "progress": False}
+FAST = [name for name in MODELS if name != "identified"]
 
 
 @pytest.fixture(scope="module")
@@ -106,6 +107,11 @@ def test_json_and_dataset(run, files, tmp_path, found):
     assert one["median"] == pytest.approx(float(each["median"]), rel=1e-9)
     assert one["difference_interval"] == pytest.approx(each["difference_interval"].values, rel=1e-9)
     xr.testing.assert_allclose(read_dataset(path), found)
+
+
+def test_the_command_has_the_defaults_of_the_function():
+    parameters = inspect.signature(pp.compare).parameters
+    assert {name: parameters[name].default for name in OPTIONS} | {"seed": 2} == OPTIONS
 
 
 def test_a_support_is_identified_where_that_is_asked_for(run, files, known):

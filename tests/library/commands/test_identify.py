@@ -1,6 +1,7 @@
 """The command `identify`: what it prints, the scene file that other commands take, and wrong input."""
 
 import contextlib
+import inspect
 import io
 import json
 import re
@@ -18,6 +19,8 @@ from planar_pushing.pushes.fit.candidates import FAMILIES
 
 SQUARE = [(-50.0, -50.0), (50.0, -50.0), (50.0, 50.0), (-50.0, 50.0)]
 FEET = pp.Points([(-40, -40), (40, -40), (0, 40)], [1, 1, 2])
+#: Options that the command passes on by default, and the seed of the tests.
+OPTIONS = {"spacing": None, "family": "points", "seed": 3, "progress": False}
 OFF = [(-50, -50), (90, -50), (90, 90), (-50, 90)]
 
 
@@ -74,11 +77,16 @@ def supports(files, printed):
 @pytest.fixture(scope="module")
 def found(files, identify):
     pushes = pp.load_pushes(files / "forces.nc")
-    return identify(pushes, spacing=None, family="points", seed=3, progress=False)
+    return identify(pushes, **OPTIONS)
 
 
 def content(path):
     return YAML(typ="safe", pure=True).load(path)
+
+
+def test_the_command_has_the_defaults_of_the_function():
+    parameters = inspect.signature(pp.identify).parameters
+    assert {name: parameters[name].default for name in OPTIONS} | {"seed": 3} == OPTIONS
 
 
 def test_what_is_printed_is_what_identify_finds(printed, found):

@@ -108,7 +108,7 @@ def test_every_reason_has_a_remedy_of_its_text():
     assert len({reason.text for reason in REASONS.values()}) == len(REASONS)
 
 
-@pytest.mark.filterwarnings("always::planar_pushing.EarlyEndWarning")
+@pytest.mark.filterwarnings("default::planar_pushing.EarlyEndWarning")
 def test_the_command_writes_one_line_and_succeeds(run, tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text(SCENE_FILE)

@@ -1,5 +1,6 @@
 """Figures of a study: what they take from it, and why they cannot be drawn."""
 
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from planar_pushing.terms.errors import InvalidFile
 from pulling_by_pushing.figures.figure import Figure, cuts_of, figure_names, select_values
 from pulling_by_pushing.figures.studies import (
     NUMBERS,
+    SECTIONS,
     cuts,
     load_drawn_study,
     pictures,
@@ -38,6 +40,7 @@ def test_both_default_studies_draw_every_figure_of_a_study():
     paper, sliders = (load_study(CONFIG / f"{name}.yaml") for name in ("paper", "sliders"))
     assert sorted([*paper.figures, *sliders.figures]) == sorted(study_figures())
     assert set(NUMBERS) == set(figure_names())
+    assert sorted(chain.from_iterable(SECTIONS.values())) == sorted(NUMBERS)
 
 
 def message(tmp_path, text):

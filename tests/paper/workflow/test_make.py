@@ -89,7 +89,7 @@ def test_a_signal_to_make_alone_ends_the_run_too(folder, target):
         assert run.poll() is None
         time.sleep(0.01)
     run.terminate()
-    run.communicate()
+    run.communicate(timeout=60)
     assert run.returncode != 0
     assert (folder / "log").read_text().endswith("started\nended\n")
 

@@ -234,7 +234,7 @@ def test_lint(built):
 
 @pytest.mark.slow
 def test_report(built):
-    built.snakemake("--report", "report.html")
+    said = built.snakemake("--report", "report.html")
     text = (built.root / "report.html").read_text(encoding="utf-8")
     assert all(name in text for name in FIGURES)
     assert all(f'"{entry(name).section}": ' in text for name in FIGURES)
@@ -243,6 +243,8 @@ def test_report(built):
         drawn = [name for name in names if name in FIGURES]
         captions += len(drawn) * sum(bool(entry(name).promise) for name in drawn)
     assert text.count("The paper's figure shows ") == captions
+    assert "WARNING" not in said
+    assert "System Message" not in text
     assert "Replication of Lynch and Mason" in text
 
 

@@ -174,7 +174,10 @@ def _compare(push: Push) -> list[tuple[float, ...]]:
 
 
 def _log(scene: Scene, pusher: Pusher, duration: float) -> Arrays:
-    """What is read of the log of `simulate`; the pose of the box is the world's at the start."""
+    """What is read of the log of `simulate`; the pose of the box is the world's at the start.
+
+    A box has no inner corner, on which `simulate` would use another kind of run.
+    """
     problem = Problem(scene=scene, pusher=pusher, duration=duration, object_pose=(0.0, 0.0, 0.0))
     rows = np.concatenate(list(Run(problem, np.linspace(0.0, duration, SAMPLES))))
     return arrays(rows, problem, [field for field in FIELDS if field.name in READ])

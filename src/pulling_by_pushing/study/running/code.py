@@ -146,13 +146,13 @@ def _read(file: Path) -> Facts:
     if file.suffix != ".py":
         return {"digest": hashlib.sha256(content).hexdigest(), "imports": []}
     tree = ast.parse(content)
-    statements = list(_plain_statements(tree))
+    statements = list(_plain_statements(tree))  # all are read before the tree is used
     digest = hashlib.sha256(ast.dump(tree).encode()).hexdigest()
     return {"digest": digest, "imports": sorted(set(_imports(statements)))}
 
 
 def _plain_statements(node: ast.AST) -> Iterator[ast.AST]:
-    """Remove docstrings and imports that serve only the types from a tree; yield the other statements."""
+    """Remove what `_is_for_readers` from the blocks of a tree, as they are read; yield the rest of them."""
     for name in ("body", "handlers", "orelse", "finalbody", "cases"):
         block = getattr(node, name, None)
         if isinstance(block, list):
