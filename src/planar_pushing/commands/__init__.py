@@ -67,10 +67,10 @@ INVALID, INTERRUPTED, UNREAD, TERMINATED = 2, 130, 141, 143
 
 def parser() -> Parser:
     """The parser of all commands."""
-    return _parsers()[0]
+    return parsers()[0]
 
 
-def _parsers() -> tuple[Parser, dict[str, Parser]]:
+def parsers() -> tuple[Parser, dict[str, Parser]]:
     """The parser of all commands, and the parser of each by its name."""
     top = Parser(prog="planar-pushing", description=__doc__, allow_abbrev=False)
     top.add_argument("--version", action="version", version=f"planar-pushing {__version__}")
@@ -113,7 +113,7 @@ def _run_to_end(arguments: Sequence[str] | None) -> int:
 
 def _run(arguments: Sequence[str] | None) -> int:
     words = sys.argv[1:] if arguments is None else list(arguments)
-    top, commands = _parsers()
+    top, commands = parsers()
     _check_words(words, top, commands)
     others: list[str] = []
     if words and words[0] in commands:

@@ -48,9 +48,9 @@ class Parser(argparse.ArgumentParser):
     Attributes
     ----------
     words : tuple of str
-        Choices of its positional argument, for shell completion.
+        Choices of its first positional argument, and options that it reads itself, for shell completion.
     values : mapping
-        Choices by option, for shell completion.
+        Choices by option, or a shell command that prints them, for shell completion.
     open : bool
         Whether the command itself reads the options that the parser does not know.
     number_option : str
@@ -58,7 +58,7 @@ class Parser(argparse.ArgumentParser):
     """
 
     words: tuple[str, ...] = ()
-    values: Mapping[str, tuple[str, ...]] = {}
+    values: Mapping[str, tuple[str, ...] | str] = {}
     open: bool = False
     number_option: str = ""
 

@@ -35,7 +35,7 @@ def add(commands: Commands) -> None:
     axes = sorted({option(axis) for entry in DATASETS.values() for axis in entry.selectors})
     sub.words, sub.open = (*named, *axes), True
     sub.values = {
-        "--effects": tuple(EffectSet), "--study": (PAPER, "$(ls results/studies 2>/dev/null)"),
+        "--effects": tuple(EffectSet), "--study": f"echo {PAPER}; ls results/studies 2>/dev/null",
     }  # fmt: skip
     sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
     sub.add_argument(

@@ -5,11 +5,13 @@ import subprocess
 
 import pytest
 
+from planar_pushing.commands.completion import SHELLS
+
 BASH = shutil.which("bash")
 TRIED = """
 COMP_WORDS=({words})
 COMP_CWORD={last}
-_planar_pushing
+_shtab_planar_pushing
 echo "${{COMPREPLY[@]}}"
 """
 
@@ -59,14 +61,28 @@ def test_studies_that_are_built_are_offered(completed, tmp_path, monkeypatch):
     assert completed(*asked) == ["paper", "mine", "yours"]
 
 
-def test_zsh_runs_the_function_of_bash(run):
-    _, bash, _ = run("completion", "bash")
-    _, zsh, _ = run("completion", "zsh")
-    assert zsh.endswith(bash)
-    assert "bashcompinit" in zsh.removesuffix(bash)
+#: Commands that read a script from standard input and check it.
+CHECKS = {"zsh": ["zsh", "-n"], "fish": ["fish", "--no-execute"], "tcsh": ["tcsh", "-f", "-n"]}
+
+
+@pytest.mark.parametrize("shell", SHELLS)
+def test_a_script_names_what_it_completes(run, shell):
+    _, script, _ = run("completion", shell)
+    if shell in CHECKS and shutil.which(shell):
+        subprocess.run(CHECKS[shell], input=script, text=True, check=True)
+    words = (
+        "planar-pushing",
+        "simulate",
+        "on-ambiguity",
+        "stay-in-mode",
+        "rod-length",
+        "ls results",
+    )
+    assert all(word in script for word in words)
 
 
 def test_another_shell(refused):
     refused(
-        ["completion", "fish"], "shell: 'fish' given; allowed: bash, zsh; name one of these shells"
+        ["completion", "ksh"],
+        f"shell: 'ksh' given; allowed: {', '.join(SHELLS)}; did you mean zsh?",
     )
