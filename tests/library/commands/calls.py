@@ -1,11 +1,18 @@
 """Slow functions that several commands call."""
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from copy import deepcopy
 
+import pytest
 
-def called_once(function):
-    """The function of pushes, which finds the result for the same pushes and options once."""
-    found = []
+import planar_pushing as pp
+
+
+@contextmanager
+def called_once(name: str) -> Iterator[Callable]:
+    """Let commands call a function of pushes once for the same pushes and options; yields the function."""
+    function, found = getattr(pp, name), []
 
     def call(pushes, *arguments, **options):
         given = (arguments, options)
@@ -16,4 +23,6 @@ def called_once(function):
         found.append((pushes, given, result))
         return deepcopy(result)
 
-    return call
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(f"planar_pushing.pushes.{name}.{name}", call)
+        yield call

@@ -48,10 +48,8 @@ def files(pushes, tmp_path_factory):
 @pytest.fixture(scope="module", autouse=True)
 def compare():
     """As the commands call it: once for the same pushes, models and options."""
-    once = called_once(pp.compare)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("planar_pushing.pushes.compare.compare", once)
-        yield once
+    with called_once("compare") as call:
+        yield call
 
 
 @pytest.fixture(scope="module")

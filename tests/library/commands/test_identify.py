@@ -48,10 +48,8 @@ def files(pushes, tmp_path_factory):
 @pytest.fixture(scope="module", autouse=True)
 def identify():
     """As the commands call it: once for the same pushes and options."""
-    once = called_once(pp.identify)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("planar_pushing.pushes.identify.identify", once)
-        yield once
+    with called_once("identify") as call:
+        yield call
 
 
 @pytest.fixture(scope="module")

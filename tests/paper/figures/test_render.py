@@ -9,7 +9,7 @@ from figures.conftest import FIGURES
 from matplotlib.figure import Figure
 
 from planar_pushing.drawing.canvas import style
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.figures import render
 from pulling_by_pushing.figures.figure import drawing, files, view
@@ -66,6 +66,13 @@ def test_a_simulation_is_drawn_from_its_log(logs, tmp_path):
         (tmp_path / run).mkdir()
         draw(tmp_path, tmp_path / run, figures={}, simulations=["pulling_lost"])
     assert contents(tmp_path / "one") == contents(tmp_path / "two")
+
+
+def test_the_log_of_a_job_names_the_figure_that_fails(tmp_path, caplog):
+    caplog.set_level("INFO", logger="planar_pushing")
+    with pytest.raises(InvalidFile):
+        draw(tmp_path, tmp_path, figures={"figure_05": {}})
+    assert caplog.messages == ["drawing figure_05"]
 
 
 def test_an_unknown_kind_of_file_is_named(tmp_path):

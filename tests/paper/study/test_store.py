@@ -101,6 +101,18 @@ def test_only_what_is_large_is_compressed(path):
         assert [name for name, node in file.items() if node.compression] == ["long"]
 
 
+def open_files():
+    return h5py.h5f.get_obj_count(h5py.h5f.OBJ_ALL, h5py.h5f.OBJ_FILE)
+
+
+def test_a_file_that_is_read_whole_is_closed(path):
+    write_dataset(xr.Dataset({"grid": ("a", np.arange(9.0))}), path)
+    before = open_files()
+    dataset = read_dataset(path)
+    assert open_files() == before
+    assert dataset["grid"].values.tolist() == list(range(9))
+
+
 def test_of_a_large_variable_only_what_is_used_is_read(path, tmp_path, monkeypatch):
     monkeypatch.setattr(netcdf, "LARGE", 2**23)
     values = np.arange(1_200_000.0).reshape(300, 4000)

@@ -38,12 +38,12 @@ def mode_maps(part: Part) -> xr.Dataset:
     def maps(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=objects("contact", labels, laws), effects=effects)
         rough = Scene(slider=slider, contact=PerfectlyRough(), effects=effects)
-        x, y = _sticking_force(rough, angle, magnitude)
+        force_angle = _sticking_force_angle(rough, angle, magnitude)
         pull_angle = _furthest_pull(scene, rough, magnitude)
         return xr.Dataset(
             {
                 "modes": mode_sets(solve(scene, angle, magnitude)["mode"]),
-                "sticking_force_angle": np.rad2deg(np.arctan2(y, x)),
+                "sticking_force_angle": np.rad2deg(force_angle),
                 "furthest_pull": np.rad2deg(pull_angle.where(finite)),
             }
         )
@@ -62,32 +62,39 @@ def mode_sets(modes: xr.DataArray) -> xr.DataArray:
     return code
 
 
-def _sticking_force(rough: Scene, angle: xr.DataArray, magnitude: xr.DataArray) -> Any:
-    """Components of the force of a perfectly rough contact, sticking."""
+def _sticking_force(rough: Scene, length: Array, angle: Array, magnitude: Array) -> Any:
+    """Force of a perfectly rough contact, sticking; shape (..., xy)."""
+    rough = replace(rough, slider=replace(rough.slider, rod_length=length))
     solutions = solve(rough, angle, magnitude)
-    force = solutions.force.where(solutions["mode"] == ContactMode.STICK).max("solution")
-    return [force.isel(xy=i, drop=True) for i in (0, 1)]
+    sticks = solutions.mode == ContactMode.STICK
+    return np.fmax.reduce(np.where(sticks[..., None], solutions.force, np.nan), axis=-2)
 
 
-def _furthest_pull(scene: Scene, rough: Scene, magnitude: xr.DataArray) -> xr.DataArray:
+def _sticking_force_angle(rough: Scene, angle: xr.DataArray, magnitude: xr.DataArray) -> Any:
+    """Angle of the force of a perfectly rough contact, sticking, radians."""
+
+    def force_angle(*push: Array) -> Any:
+        force = _sticking_force(rough, *push)
+        return np.arctan2(force[..., 1], force[..., 0])
+
+    return xr.apply_ufunc(force_angle, rough.slider.rod_length, angle, magnitude)
+
+
+def _furthest_pull(scene: Scene, rough: Scene, magnitude: xr.DataArray) -> Any:
     """Pusher angle, radians, at which the sticking force is on the right edge of the friction cone.
 
     A force and its motion differ by less than 90 degrees; this half turn is halved.
     """
 
-    def halve(edge: Array, magnitude: Array, length: Array) -> Array:
-        scenes = replace(rough, slider=replace(rough.slider, rod_length=length))
+    def halve(length: Array, magnitude: Array, edge: Array) -> Array:
         e_x, e_y = np.moveaxis(direction(edge), -1, 0)
         angle, step = edge + 0 * magnitude, np.pi / 2
         for _ in range(ANGLE_HALVINGS):
-            solutions = solve(scenes, angle, magnitude)
-            sticks = solutions.mode == ContactMode.STICK
-            force = np.fmax.reduce(np.where(sticks[..., None], solutions.force, np.nan), axis=-2)
+            force = _sticking_force(rough, length, angle, magnitude)
             angle = angle - step * np.sign(e_x * force[..., 1] - e_y * force[..., 0])
             step /= 2
         return angle
 
     # Without labels, which would take longer than the solutions.
-    edge, length = friction_cone(scene).right, rough.slider.rod_length
-    angle: xr.DataArray = xr.apply_ufunc(halve, edge, magnitude, length)
-    return angle
+    edge = friction_cone(scene).right
+    return xr.apply_ufunc(halve, rough.slider.rod_length, magnitude, edge)

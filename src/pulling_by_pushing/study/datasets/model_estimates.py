@@ -174,7 +174,7 @@ def _compare(push: Push) -> list[tuple[float, ...]]:
 
 
 def _log(scene: Scene, pusher: Pusher, duration: float) -> Arrays:
-    """What is read of the log of `simulate`; the pose of the box is the world's at the start.
+    """The variables `READ` of the log of `simulate`; the pose of the box is the world's at the start.
 
     A box has no inner corner, on which `simulate` would use another kind of run.
     """
